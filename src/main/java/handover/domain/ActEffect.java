@@ -1,0 +1,26 @@
+package handover.domain;
+
+/**
+ * What an act does from a given {@link Task}, apart from beliefs: the task while the human reacts, its price, and who
+ * would answer what. Immutable, thread safe; arrays have one entry per object and must not be modified.
+ *
+ * @param model the act
+ * @param during the task from the act's start until the answer or the pick's outcome
+ * @param reward the act's price and annoyance
+ * @param completes whether a pick completes, so that the outcome is accepted or rejected and nobody answers
+ * @param reference what content words are said in contrast to, null if nothing is open
+ * @param yes P(yes | i)
+ * @param no P(no | i)
+ */
+public record ActEffect(ActModel model, Task during, double reward, boolean completes, ActModel reference, double[] yes,
+        double[] no) {
+
+    /** P(answer | i). */
+    public double answerProbability(Answer answer, int i) {
+        return switch (answer) {
+            case YES -> yes[i];
+            case NO -> no[i];
+            case NONE -> 1 - yes[i] - no[i];
+        };
+    }
+}

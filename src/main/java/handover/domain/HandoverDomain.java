@@ -1,0 +1,244 @@
+package handover.domain;
+
+import burlap.behavior.singleagent.auxiliary.StateEnumerator;
+import burlap.debugtools.RandomFactory;
+import burlap.mdp.auxiliary.DomainGenerator;
+import burlap.mdp.singleagent.pomdp.PODomain;
+import burlap.statehashing.ReflectiveHashableStateFactory;
+import handover.math.AngularGaussian;
+import handover.math.Simplex;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.random.RandomGenerator;
+
+/**
+ * The base handover domain (MODEL sections 1-6): the problem stated once, in small pure methods ("seams"), from which the
+ * BURLAP view, the filter, the search, the simulator and the bridge all follow. A variant overrides one to three of the
+ * protected methods. Immutable, thread safe.
+ *
+ * <p>Source: "Progress Report: Social Feedback for Robotic Collaboration", section 2.1.
+ */
+public class HandoverDomain implements DomainGenerator {
+    /** The human never speaks more surely than this. */
+    private static final double MOST_SPEECH = 0.99;
+
+    private final DomainSpec spec;
+    private final Vocabulary vocabulary;
+    private final AngularGaussian pointing;
+    private final List<ActType> types;
+    private final ActModel idle;
+    private final Scene start;
+
+    /** The domain that a domain file describes. Throws {@link InvalidParameterException} if an act has no parameters. */
+    public HandoverDomain(DomainSpec spec) {
+        this.spec = spec;
+        this.vocabulary = new Vocabulary(spec.objects(), spec.speech().alpha());
+        this.pointing = new AngularGaussian(spec.gesture().variance(), spec.gesture().outliers());
+        this.types = List.copyOf(actTypes());
+        ActType wait = new WaitType(spec.act("wait"));
+        this.idle = new ActModel(0, Act.WAIT, wait, new double[0], null, -1, "");
+        this.start = new Scene(this, spec.objects());
+    }
+
+    // ---- seams: what a variant overrides -------------------------------------------------------------------------
+
+    /** The types of act on offer. Called once, from the constructor: only {@link #spec()} and the vocabulary are set. */
+    protected List<ActType> actTypes() {
+        List<ActType> all = new ArrayList<>();
+        all.add(new WaitType(spec.act("wait")));
+        all.add(new PickType(spec.act("pick"), spec.understanding().pickError()));
+        all.add(new AskType(spec.act("ask"), spec.ask().sets(), vocabulary));
+        all.add(new DirectedType(DirectedType.POINT, spec.act("point"), spec.pointingOrigin(),
+                spec.understanding().sigmaPoint()));
+        all.add(new DirectedType(DirectedType.LOOK, spec.act("look"), spec.pointingOrigin(),
+                spec.understanding().sigmaLook()));
+        return all;
+    }
+
+    /** K, how often a pick must be chosen before it completes (MODEL 5). */
+    public int increments() {
+        return 1;
+    }
+
+    /**
+     * U(h, a), the human's belief after an act (MODEL 3.2).
+     *
+     * @param h before, not modified; may be the same array as {@code out}
+     * @param out after; modified
+     */
+    public void understand(ActModel act, double[] h, double[] out, int n) {
+        Simplex.propagate(spec.tauHuman(), h, out, n);
+        double[] lambda = act.lambda();
+        double z = 0;
+        for (int i = 0; i < n; i++) {
+            z += lambda[i] * out[i];
+        }
+        for (int i = 0; i < n && z > 0; i++) {
+            out[i] = lambda[i] * out[i] / z;
+        }
+    }
+
+    /** The price of an act, with annoyance: what does not depend on any belief and does not complete a pick (MODEL 6). */
+    public double actReward(Task before, ActModel act) {
+        boolean annoying = act.isCommunicative() && act.act().equals(before.openReference());
+        return act.type().parameters().reward() + (annoying ? spec.rewards().annoyance() : 0);
+    }
+
+    /** Paid when a pick completes. */
+    public double pickReward(boolean right) {
+        return right ? spec.rewards().right() : spec.rewards().wrong();
+    }
+
+    /**
+     * kappa S(b, h'), paid on every step (MODEL 6).
+     *
+     * @param b belief about the wanted object, before the observation; not modified
+     * @param h the human's belief after the act; not modified
+     */
+    public double matchReward(double[] b, double[] h, int n) {
+        return spec.rewards().matchWeight() * spec.rewards().matchScore().of(b, h, n);
+    }
+
+    /** Whether {@link #matchReward} is a reward of the belief that no reward of states has as its expectation. */
+    public boolean beliefDependentReward() {
+        return spec.rewards().matchScore().beliefDependent();
+    }
+
+    /**
+     * P(the human says content words) (MODEL 4.1).
+     *
+     * @param type of the act
+     * @param hWanted how much the human expects to get what they want, h'(omega)
+     */
+    public double contentRate(ActType type, double hWanted) {
+        double rate = type.parameters().speechRate() + spec.speech().surprise() * (1 - hWanted);
+        return vocabulary.size() == 0 ? 0 : Math.max(0, Math.min(MOST_SPEECH, rate));
+    }
+
+    /**
+     * P(yes) or P(no) to an act that the human takes to mean the wanted object with probability {@code match}
+     * (MODEL 4.1).
+     */
+    public double answerProbability(Answer answer, ActType type, double match) {
+        double e = spec.speech().answerError();
+        double ifMatch = match * type.parameters().answerIfMatch();
+        double ifMiss = (1 - match) * type.parameters().answerIfMiss();
+        return answer == Answer.YES ? ifMatch * (1 - e) + ifMiss * e : ifMatch * e + ifMiss * (1 - e);
+    }
+
+    // ---- what follows --------------------------------------------------------------------------------------------
+
+    public final DomainSpec spec() {
+        return spec;
+    }
+
+    public final Vocabulary vocabulary() {
+        return vocabulary;
+    }
+
+    public final List<ActType> types() {
+        return types;
+    }
+
+    /** gamma. */
+    public final double discount() {
+        return spec.rewards().discount();
+    }
+
+    /** The density of a gesture around the direction to the object that is meant. */
+    public final AngularGaussian pointing() {
+        return pointing;
+    }
+
+    /** The table at the start of an episode. */
+    public final Scene start() {
+        return start;
+    }
+
+    /** A table with other objects or other positions, for instance after something was moved. */
+    public final Scene scene(List<TableObject> objects) {
+        return objects.equals(start.objects()) ? start : new Scene(this, objects);
+    }
+
+    /** The task at the start of an episode with these objects. */
+    public final Task task(Scene scene) {
+        return scene.task(Task.Key.START);
+    }
+
+    /** The probability of b_0 for each object of a scene: the file's prior where it is about these objects, else uniform. */
+    public final double[] prior(Scene scene) {
+        double[] given = scene.objects().stream()
+                .mapToDouble(o -> spec.prior().getOrDefault(o.name(), 0.0)).toArray();
+        return Simplex.normalise(given, given.length) > 0 ? given : Simplex.uniform(scene.size());
+    }
+
+    /** The human's belief after an act, as a new array; {@code h} is not modified. */
+    public final double[] understood(ActModel act, double[] h) {
+        double[] out = new double[h.length];
+        understand(act, h, out, h.length);
+        return out;
+    }
+
+    /** The task after the pick under way completed. */
+    public final Task completed(Task during, boolean right) {
+        Scene scene = during.scene();
+        boolean leaves = right || spec.wrongPick() == WrongPick.REMOVED;
+        Scene next = leaves ? scene.without(scene.indexOf(during.target())) : scene;
+        int handovers = during.handovers() + (right ? 1 : 0);
+        boolean done = handovers >= spec.handovers() || next.size() == 0
+                || !right && spec.wrongPick() == WrongPick.TERMINAL;
+        return next.task(new Task.Key(null, Answer.NONE, null, 0, right ? PickSignal.ACCEPTED : PickSignal.REJECTED,
+                handovers, done));
+    }
+
+    ActModel idle() {
+        return idle;
+    }
+
+    ActEffect effect(Task before, ActModel act) {
+        Act reference = act.isPick() ? null : act.isCommunicative() ? act.act() : before.openReference();
+        boolean onward = act.isPick() && act.act().objects().get(0).equals(before.target());
+        int progress = act.isPick() ? onward ? before.progress() + 1 : 1 : 0;
+        boolean completes = progress == increments();
+        Task during = before.with(new Task.Key(reference, Answer.NONE,
+                act.isPick() ? act.act().objects().get(0) : null, progress,
+                act.isPick() && !completes ? PickSignal.MOVING : PickSignal.NONE, before.handovers(), false));
+        ActModel open = reference == null ? null : before.scene().model(reference);
+        double[] match = act.isPick() ? act.match() : open == null ? null : open.match();
+        int n = before.scene().size();
+        double[] yes = new double[n];
+        double[] no = new double[n];
+        for (int i = 0; i < n && match != null && !completes; i++) {
+            yes[i] = answerProbability(Answer.YES, act.type(), match[i]);
+            no[i] = answerProbability(Answer.NO, act.type(), match[i]);
+        }
+        return new ActEffect(act, during, actReward(before, act), completes, open, yes, no);
+    }
+
+    // ---- BURLAP --------------------------------------------------------------------------------------------------
+
+    /** The BURLAP domain; its chance comes from {@code random}, which BURLAP's threads must not share. */
+    public PODomain generateDomain(RandomGenerator random) {
+        PODomain domain = new PODomain();
+        types.forEach(domain::addActionType);
+        domain.setModel(new HandoverModel(this, random));
+        domain.setObservationFunction(new HandoverObservationFunction(this, random));
+        domain.setStateEnumerator(new StateEnumerator(domain, new ReflectiveHashableStateFactory()));
+        return domain;
+    }
+
+    /** As BURLAP's own domains: chance from BURLAP's {@code RandomFactory} 0, which callers seed. */
+    @Override
+    public PODomain generateDomain() {
+        return generateDomain(RandomFactory.getMapped(0));
+    }
+
+    /** The state in which a human who wants {@code wanted} starts. Throws if there is no such object. */
+    public HandoverState initialState(String wanted) {
+        int i = start.indexOf(wanted);
+        if (i < 0) {
+            throw new IllegalArgumentException(wanted + " is not on the table: " + start);
+        }
+        return new HandoverState(i, task(start), Simplex.uniform(start.size()));
+    }
+}

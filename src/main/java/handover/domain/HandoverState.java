@@ -1,0 +1,166 @@
+package handover.domain;
+
+import burlap.mdp.core.oo.state.OOState;
+import burlap.mdp.core.oo.state.OOStateUtilities;
+import burlap.mdp.core.oo.state.ObjectInstance;
+import burlap.mdp.core.state.State;
+import burlap.mdp.singleagent.pomdp.beliefstate.EnumerableBeliefState;
+import burlap.statehashing.HashableState;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * A state &lt;omega, O, h&gt; as a BURLAP object-oriented state: one object of class {@code object} for each thing on the
+ * table, with its position and how much the human expects it, and one of class {@code task} for what is wanted and the
+ * rest of what is known. Immutable, thread safe; equal by value.
+ */
+public final class HandoverState implements OOState, HashableState {
+    public static final String CLASS_OBJECT = "object";
+    public static final String CLASS_TASK = "task";
+
+    private final int wanted;
+    private final Task task;
+    private final double[] human;
+
+    /**
+     * @param wanted omega, the position in the scene of the object that the human wants; -1 if there is none left
+     * @param task the discrete part of what is known
+     * @param human h, one entry per object; not copied, must not be modified
+     */
+    public HandoverState(int wanted, Task task, double[] human) {
+        this.wanted = wanted;
+        this.task = task;
+        this.human = human;
+    }
+
+    /** The known discrete part of a state or of any belief over states that share it. */
+    public static Task taskOf(State s) {
+        if (s instanceof HandoverState h) {
+            return h.task;
+        }
+        if (s instanceof EnumerableBeliefState b) {
+            return taskOf(b.nonZeroBeliefs().get(0).s);
+        }
+        throw new IllegalArgumentException("expected a handover state or a belief over them, got " + s.getClass());
+    }
+
+    /** omega, the position in the scene of the object that the human wants; -1 if there is none left. */
+    public int wanted() {
+        return wanted;
+    }
+
+    public Task task() {
+        return task;
+    }
+
+    /** h, one entry per object; must not be modified. */
+    public double[] human() {
+        return human;
+    }
+
+    @Override
+    public int numObjects() {
+        return human.length + 1;
+    }
+
+    @Override
+    public ObjectInstance object(String name) {
+        return OOStateUtilities.objectWithName(objects(), name);
+    }
+
+    @Override
+    public List<ObjectInstance> objects() {
+        List<ObjectInstance> all = new ArrayList<>();
+        for (int i = 0; i < human.length; i++) {
+            TableObject o = task.scene().objects().get(i);
+            Map<Object, Object> values = new LinkedHashMap<>();
+            values.put("x", o.position().x());
+            values.put("y", o.position().y());
+            values.put("z", o.position().z());
+            values.put("humanBelief", human[i]);
+            all.add(new Instance(CLASS_OBJECT, o.name(), values));
+        }
+        Map<Object, Object> values = new LinkedHashMap<>();
+        values.put("wanted", wanted < 0 ? "" : task.scene().objects().get(wanted).name());
+        values.put("reference", task.reference() == null ? "" : task.reference().toString());
+        values.put("answer", task.answer());
+        values.put("target", task.target() == null ? "" : task.target());
+        values.put("progress", task.progress());
+        values.put("signal", task.signal());
+        values.put("handovers", task.handovers());
+        values.put("done", task.done());
+        all.add(new Instance(CLASS_TASK, CLASS_TASK, values));
+        return all;
+    }
+
+    @Override
+    public List<ObjectInstance> objectsOfClass(String className) {
+        return objects().stream().filter(o -> o.className().equals(className)).toList();
+    }
+
+    @Override
+    public List<Object> variableKeys() {
+        return OOStateUtilities.flatStateKeys(this);
+    }
+
+    @Override
+    public Object get(Object key) {
+        return OOStateUtilities.get(this, key);
+    }
+
+    @Override
+    public HandoverState copy() {
+        return this;
+    }
+
+    @Override
+    public State s() {
+        return this;
+    }
+
+    @Override
+    public boolean equals(Object o) {
+        return o instanceof HandoverState s && wanted == s.wanted && task.equals(s.task) && Arrays.equals(human, s.human);
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * (31 * wanted + task.hashCode()) + Arrays.hashCode(human);
+    }
+
+    @Override
+    public String toString() {
+        return OOStateUtilities.ooStateToString(this);
+    }
+
+    /** One object of the state. */
+    private record Instance(String className, String name, Map<Object, Object> values) implements ObjectInstance {
+        @Override
+        public ObjectInstance copyWithName(String objectName) {
+            return new Instance(className, objectName, values);
+        }
+
+        @Override
+        public List<Object> variableKeys() {
+            return List.copyOf(values.keySet());
+        }
+
+        @Override
+        public Object get(Object key) {
+            return values.get(key);
+        }
+
+        @Override
+        public ObjectInstance copy() {
+            return this;
+        }
+
+        @Override
+        public String toString() {
+            return OOStateUtilities.objectInstanceToString(this);
+        }
+    }
+}

@@ -1,0 +1,130 @@
+package handover.domain;
+
+import handover.math.Vector3;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.random.RandomGenerator;
+
+/**
+ * What people say and show, given what they want: likelihoods and the matching samplers (MODEL section 4). The only place
+ * for these numbers; stateless, thread safe.
+ */
+public final class HumanModel {
+    private HumanModel() {}
+
+    /**
+     * Adds log p(words | i), and the factor of negated words, to {@code out} (modified) for each object.
+     *
+     * @param reference what the words are said in contrast to, null if nothing is open
+     * @return whether any object can have been meant
+     */
+    public static boolean addLogWords(Scene scene, ActModel reference, Utterance said, double[] out) {
+        HandoverDomain domain = scene.domain();
+        boolean possible = false;
+        for (int i = 0; i < out.length; i++) {
+            double log = 0;
+            for (String word : said.content()) {
+                log += Math.log(wordProbability(scene, reference, domain.vocabulary().indexOf(word), i));
+            }
+            for (String word : said.negated()) {
+                boolean has = scene.objects().get(i).count(word) > 0;
+                log += has ? Math.log(domain.spec().speech().negationFactor()) : 0;
+            }
+            possible |= log > Double.NEGATIVE_INFINITY;
+            out[i] += log;
+        }
+        return possible;
+    }
+
+    /** p(w | i), less likely in contrast to an open reference that shares the word (implicature, eta). */
+    public static double wordProbability(Scene scene, ActModel reference, int word, int i) {
+        double p = scene.wordProbabilities(word)[i];
+        double eta = scene.domain().spec().speech().contrast();
+        if (eta == 0 || reference == null || reference.act().objects().contains(scene.objects().get(i).name())) {
+            return p;
+        }
+        double rest = 1;
+        boolean shared = false;
+        for (int w = 0; w < scene.domain().vocabulary().size(); w++) {
+            if (uses(scene, reference, w)) {
+                rest -= eta * scene.wordProbabilities(w)[i];
+                shared |= w == word;
+            }
+        }
+        return rest <= 0 ? p : p * (shared ? 1 - eta : 1) / rest;
+    }
+
+    private static boolean uses(Scene scene, ActModel reference, int word) {
+        String w = scene.domain().vocabulary().words().get(word);
+        for (String name : reference.act().objects()) {
+            if (scene.objects().get(scene.indexOf(name)).count(w) > 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** f(direction | i) per steradian for each object, as a new array. Throws if the shoulder is at an object. */
+    public static double[] gestureDensities(Scene scene, Gesture gesture) {
+        double[] f = new double[scene.size()];
+        for (int i = 0; i < f.length; i++) {
+            Vector3 arm = scene.objects().get(i).position().minus(gesture.shoulder());
+            if (arm.norm() < Check.TOO_CLOSE) {
+                throw new InvalidParameterException("shoulder", gesture.shoulder(), "a shoulder at least "
+                        + Check.TOO_CLOSE + " m from " + scene.objects().get(i).name());
+            }
+            f[i] = scene.domain().pointing().density(gesture.direction().angleTo(arm));
+        }
+        return f;
+    }
+
+    /** A gesture of somebody who means object {@code i}, from the shoulder of the domain file. */
+    public static Gesture sampleGesture(Scene scene, int i, RandomGenerator random) {
+        Vector3 shoulder = scene.domain().spec().shoulder();
+        Vector3 arm = scene.objects().get(i).position().minus(shoulder);
+        return new Gesture(shoulder, scene.domain().pointing().sample(arm, random));
+    }
+
+    /** Words of somebody who means object {@code i}: how many by P(1, 2, ...), each by p(w | i). */
+    public static List<String> sampleWords(Scene scene, ActModel reference, int i, RandomGenerator random) {
+        List<String> words = new ArrayList<>();
+        for (int k = sampleWordCount(scene.domain(), random); k > 0; k--) {
+            words.add(scene.domain().vocabulary().words().get(sampleWord(scene, reference, i, random)));
+        }
+        return words;
+    }
+
+    /** A number of content words, at least 1. */
+    public static int sampleWordCount(HandoverDomain domain, RandomGenerator random) {
+        List<Double> p = domain.spec().speech().wordCounts();
+        double u = random.nextDouble();
+        int k = 0;
+        while (k < p.size() - 1 && (u -= p.get(k)) >= 0) {
+            k++;
+        }
+        return k + 1;
+    }
+
+    /** The number of a word drawn from p(w | i). */
+    public static int sampleWord(Scene scene, ActModel reference, int i, RandomGenerator random) {
+        double u = random.nextDouble();
+        int last = 0;
+        for (int w = 0; w < scene.domain().vocabulary().size(); w++) {
+            double p = wordProbability(scene, reference, w, i);
+            if (p > 0) {
+                last = w;
+                u -= p;
+                if (u < 0) {
+                    return w;
+                }
+            }
+        }
+        return last;
+    }
+
+    /** An answer drawn from P(answer | i). */
+    public static Answer sampleAnswer(ActEffect effect, int i, RandomGenerator random) {
+        double u = random.nextDouble() - effect.yes()[i];
+        return u < 0 ? Answer.YES : u < effect.no()[i] ? Answer.NO : Answer.NONE;
+    }
+}

@@ -1,0 +1,143 @@
+package handover.domain;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+
+/**
+ * The objects on the table and everything that follows from them alone: the acts on offer with what they mean, and
+ * p(word | object). Equal if the objects are. Immutable, thread safe; arrays must not be modified.
+ */
+public final class Scene {
+    private final HandoverDomain domain;
+    private final List<TableObject> objects;
+    private final Map<String, Integer> indexOf = new HashMap<>();
+    private final List<ActModel> acts;
+    private final Map<Act, ActModel> models = new HashMap<>();
+    private final double[][] wordProbabilities;
+    private final Scene[] without;
+    private final Map<Task.Key, Task> tasks = new ConcurrentHashMap<>();
+    private final int hash;
+
+    Scene(HandoverDomain domain, List<TableObject> objects) {
+        this.domain = domain;
+        this.objects = List.copyOf(objects);
+        for (TableObject o : objects) {
+            indexOf.put(o.name(), indexOf.size());
+        }
+        this.acts = modelActs(domain.types(), this.objects);
+        acts.forEach(m -> models.put(m.act(), m));
+        this.wordProbabilities = wordProbabilities(domain.vocabulary(), this.objects);
+        this.without = new Scene[objects.size()];
+        this.hash = this.objects.hashCode();
+    }
+
+    public HandoverDomain domain() {
+        return domain;
+    }
+
+    public List<TableObject> objects() {
+        return objects;
+    }
+
+    /** N, the number of objects. */
+    public int size() {
+        return objects.size();
+    }
+
+    /** The position of an object, -1 if it is not on the table. */
+    public int indexOf(String name) {
+        return indexOf.getOrDefault(name, -1);
+    }
+
+    /** All acts, type by type. */
+    public List<ActModel> acts() {
+        return acts;
+    }
+
+    /** The model of an act, null if the act is not on offer here. */
+    public ActModel model(Act act) {
+        return models.get(act);
+    }
+
+    /** p(word | i) for each object i, by the word's number in the vocabulary. */
+    public double[] wordProbabilities(int word) {
+        return wordProbabilities[word];
+    }
+
+    /** The same table without object {@code i}. */
+    public Scene without(int i) {
+        synchronized (without) {
+            if (without[i] == null) {
+                List<TableObject> rest = new ArrayList<>(objects);
+                rest.remove(i);
+                without[i] = new Scene(domain, rest);
+            }
+            return without[i];
+        }
+    }
+
+    /** The one task with these values on this scene, so that what is cached with a task is found again. */
+    Task task(Task.Key key) {
+        return tasks.computeIfAbsent(key, k -> new Task(this, k));
+    }
+
+    private static List<ActModel> modelActs(List<ActType> types, List<TableObject> objects) {
+        List<ActModel> models = new ArrayList<>();
+        if (objects.isEmpty()) {
+            return models;
+        }
+        for (ActType type : types) {
+            List<Act> acts = type.acts(objects);
+            double[][] lambda = normalise(acts.stream().map(a -> type.weights(a, objects)).toArray(double[][]::new),
+                    objects.size());
+            for (int k = 0; k < acts.size(); k++) {
+                Act act = acts.get(k);
+                models.add(new ActModel(models.size(), act, type, lambda[k], type.match(act, objects),
+                        type.target(act, objects), type.say(act, objects)));
+            }
+        }
+        return models;
+    }
+
+    /** Divides by the sum over the acts of the type, for each object; an object that no act fits is told nothing. */
+    private static double[][] normalise(double[][] weights, int n) {
+        for (int i = 0; i < n; i++) {
+            double sum = 0;
+            for (double[] w : weights) {
+                sum += w[i];
+            }
+            for (double[] w : weights) {
+                w[i] = sum > 0 ? w[i] / sum : 1.0 / weights.length;
+            }
+        }
+        return weights;
+    }
+
+    private static double[][] wordProbabilities(Vocabulary vocabulary, List<TableObject> objects) {
+        double[][] p = new double[vocabulary.size()][objects.size()];
+        for (int w = 0; w < p.length; w++) {
+            for (int i = 0; i < objects.size(); i++) {
+                p[w][i] = vocabulary.probability(w, objects.get(i));
+            }
+        }
+        return p;
+    }
+
+    @Override
+    public boolean equals(Object o) {
+        return this == o || o instanceof Scene s && hash == s.hash && objects.equals(s.objects);
+    }
+
+    @Override
+    public int hashCode() {
+        return hash;
+    }
+
+    @Override
+    public String toString() {
+        return indexOf.keySet().toString();
+    }
+}
