@@ -15,6 +15,12 @@ package handover.domain;
 public record ActEffect(ActModel model, Task during, double reward, boolean completes, ActModel reference, double[] yes,
         double[] no) {
 
+    /** The rest of the step once the pick completed and the table is as in {@code after}: nobody answers. */
+    public ActEffect once(Task after) {
+        double[] never = new double[after.scene().size()];
+        return new ActEffect(model, after, reward, completes, null, never, never);
+    }
+
     /** P(answer | i). */
     public double answerProbability(Answer answer, int i) {
         return switch (answer) {

@@ -104,6 +104,12 @@ public class HandoverDomain implements DomainGenerator {
         return spec.rewards().matchScore().beliefDependent();
     }
 
+    /** How long one act of this type takes, in seconds (MODEL 9); of a pick, one increment. */
+    public double seconds(ActType type) {
+        double whole = type.parameters().duration();
+        return type.verb().equals(PickType.VERB) ? whole / increments() : whole;
+    }
+
     /**
      * P(the human says content words) (MODEL 4.1).
      *
@@ -179,8 +185,7 @@ public class HandoverDomain implements DomainGenerator {
         return out;
     }
 
-    /** The task after the pick under way completed. */
-    public final Task completed(Task during, boolean right) {
+    Task complete(Task during, boolean right) {
         Scene scene = during.scene();
         boolean leaves = right || spec.wrongPick() == WrongPick.REMOVED;
         Scene next = leaves ? scene.without(scene.indexOf(during.target())) : scene;
@@ -197,7 +202,8 @@ public class HandoverDomain implements DomainGenerator {
 
     ActEffect effect(Task before, ActModel act) {
         Act reference = act.isPick() ? null : act.isCommunicative() ? act.act() : before.openReference();
-        boolean onward = act.isPick() && act.act().objects().get(0).equals(before.target());
+        boolean onward = act.isPick() && act.act().objects().get(0).equals(before.target())
+                && before.progress() < increments();
         int progress = act.isPick() ? onward ? before.progress() + 1 : 1 : 0;
         boolean completes = progress == increments();
         Task during = before.with(new Task.Key(reference, Answer.NONE,

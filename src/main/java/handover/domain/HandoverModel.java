@@ -79,15 +79,15 @@ public final class HandoverModel implements FullModel {
             return new EnvironmentOutcome(s, a, next, reward, false);
         }
         boolean right = effect.model().target() == wanted;
-        Task task = domain.completed(effect.during(), right);
+        Task task = effect.during().completed(right);
         HandoverState next = new HandoverState(wish, task, Simplex.uniform(task.scene().size()));
         return new EnvironmentOutcome(s, a, next, reward + domain.pickReward(right), task.done());
     }
 
     /** What the human wants once the pick completed: a new wish, or what they wanted all the time. */
-    private double[] wishesAfter(ActEffect effect, int i) {
+    private static double[] wishesAfter(ActEffect effect, int i) {
         boolean right = effect.model().target() == i;
-        int n = domain.completed(effect.during(), right).scene().size();
+        int n = effect.during().completed(right).scene().size();
         if (right || n == 0) {
             return Simplex.uniform(n);
         }

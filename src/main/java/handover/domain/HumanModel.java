@@ -20,11 +20,12 @@ public final class HumanModel {
      */
     public static boolean addLogWords(Scene scene, ActModel reference, Utterance said, double[] out) {
         HandoverDomain domain = scene.domain();
+        Words table = scene.words(reference);
         boolean possible = false;
         for (int i = 0; i < out.length; i++) {
             double log = 0;
             for (String word : said.content()) {
-                log += Math.log(wordProbability(scene, reference, domain.vocabulary().indexOf(word), i));
+                log += Math.log(table.probabilities(domain.vocabulary().indexOf(word))[i]);
             }
             for (String word : said.negated()) {
                 boolean has = scene.objects().get(i).count(word) > 0;
@@ -34,34 +35,6 @@ public final class HumanModel {
             out[i] += log;
         }
         return possible;
-    }
-
-    /** p(w | i), less likely in contrast to an open reference that shares the word (implicature, eta). */
-    public static double wordProbability(Scene scene, ActModel reference, int word, int i) {
-        double p = scene.wordProbabilities(word)[i];
-        double eta = scene.domain().spec().speech().contrast();
-        if (eta == 0 || reference == null || reference.act().objects().contains(scene.objects().get(i).name())) {
-            return p;
-        }
-        double rest = 1;
-        boolean shared = false;
-        for (int w = 0; w < scene.domain().vocabulary().size(); w++) {
-            if (uses(scene, reference, w)) {
-                rest -= eta * scene.wordProbabilities(w)[i];
-                shared |= w == word;
-            }
-        }
-        return rest <= 0 ? p : p * (shared ? 1 - eta : 1) / rest;
-    }
-
-    private static boolean uses(Scene scene, ActModel reference, int word) {
-        String w = scene.domain().vocabulary().words().get(word);
-        for (String name : reference.act().objects()) {
-            if (scene.objects().get(scene.indexOf(name)).count(w) > 0) {
-                return true;
-            }
-        }
-        return false;
     }
 
     /** f(direction | i) per steradian for each object, as a new array. Throws if the shoulder is at an object. */
@@ -89,7 +62,7 @@ public final class HumanModel {
     public static List<String> sampleWords(Scene scene, ActModel reference, int i, RandomGenerator random) {
         List<String> words = new ArrayList<>();
         for (int k = sampleWordCount(scene.domain(), random); k > 0; k--) {
-            words.add(scene.domain().vocabulary().words().get(sampleWord(scene, reference, i, random)));
+            words.add(scene.domain().vocabulary().words().get(scene.words(reference).sample(i, random)));
         }
         return words;
     }
@@ -103,23 +76,6 @@ public final class HumanModel {
             k++;
         }
         return k + 1;
-    }
-
-    /** The number of a word drawn from p(w | i). */
-    public static int sampleWord(Scene scene, ActModel reference, int i, RandomGenerator random) {
-        double u = random.nextDouble();
-        int last = 0;
-        for (int w = 0; w < scene.domain().vocabulary().size(); w++) {
-            double p = wordProbability(scene, reference, w, i);
-            if (p > 0) {
-                last = w;
-                u -= p;
-                if (u < 0) {
-                    return w;
-                }
-            }
-        }
-        return last;
     }
 
     /** An answer drawn from P(answer | i). */

@@ -16,7 +16,8 @@ public final class Scene {
     private final Map<String, Integer> indexOf = new HashMap<>();
     private final List<ActModel> acts;
     private final Map<Act, ActModel> models = new HashMap<>();
-    private final double[][] wordProbabilities;
+    private final Words words;
+    private final Map<Act, Words> contrasted = new ConcurrentHashMap<>();
     private final Scene[] without;
     private final Map<Task.Key, Task> tasks = new ConcurrentHashMap<>();
     private final int hash;
@@ -29,7 +30,7 @@ public final class Scene {
         }
         this.acts = modelActs(domain.types(), this.objects);
         acts.forEach(m -> models.put(m.act(), m));
-        this.wordProbabilities = wordProbabilities(domain.vocabulary(), this.objects);
+        this.words = Words.plain(domain.vocabulary(), this.objects);
         this.without = new Scene[objects.size()];
         this.hash = this.objects.hashCode();
     }
@@ -62,9 +63,11 @@ public final class Scene {
         return models.get(act);
     }
 
-    /** p(word | i) for each object i, by the word's number in the vocabulary. */
-    public double[] wordProbabilities(int word) {
-        return wordProbabilities[word];
+    /** p(word | i), in contrast to an open reference if it is not null (MODEL 4.1). */
+    public Words words(ActModel reference) {
+        double eta = domain.spec().speech().contrast();
+        return eta == 0 || reference == null ? words : contrasted.computeIfAbsent(reference.act(),
+                act -> words.contrast(domain.vocabulary(), objects, act, eta));
     }
 
     /** The same table without object {@code i}. */
@@ -114,16 +117,6 @@ public final class Scene {
             }
         }
         return weights;
-    }
-
-    private static double[][] wordProbabilities(Vocabulary vocabulary, List<TableObject> objects) {
-        double[][] p = new double[vocabulary.size()][objects.size()];
-        for (int w = 0; w < p.length; w++) {
-            for (int i = 0; i < objects.size(); i++) {
-                p[w][i] = vocabulary.probability(w, objects.get(i));
-            }
-        }
-        return p;
     }
 
     @Override

@@ -28,9 +28,10 @@ public final class Task {
     private final Scene scene;
     private final Key key;
     private final int hash;
-    /** Filled on demand; racy on purpose: effects are immutable and equal whoever computes them. */
+    /** These caches are filled on demand, racily on purpose: the values are immutable and equal whoever computes them. */
     private final ActEffect[] effects;
     private final Task[] answered = new Task[Answer.values().length];
+    private final Task[] completed = new Task[2];
 
     Task(Scene scene, Key key) {
         this.scene = scene;
@@ -114,6 +115,15 @@ public final class Task {
             answered[answer.ordinal()] = t;
         }
         return t;
+    }
+
+    /** This task once the pick under way completed, of the wanted object or of another one (MODEL 5). */
+    public Task completed(boolean right) {
+        int k = right ? 1 : 0;
+        if (completed[k] == null) {
+            completed[k] = scene.domain().complete(this, right);
+        }
+        return completed[k];
     }
 
     /** This task with the pick given up. */

@@ -1,0 +1,15 @@
+/**
+ * What the robot believes about the wanted object and how acts and observations move it: the exact filter of MODEL 4.4,
+ * whole steps (simulator, search, BURLAP) and event by event (bridge, {@code infer}), the same posterior either way.
+ *
+ * <p>2026-11-22, log weights. A belief keeps log b beside b, so that an object which a long utterance made all but
+ * impossible (b underflows to 0) can still come back.
+ *
+ * <p>2026-11-22, n-best lists. Alternatives that disagree about whether content words or an answer were said at all are
+ * weighed as whole steps: the alternative without words pays 1 - P(content words). Words that come later in the same step
+ * then no longer pay for having come at all.
+ *
+ * <p>2026-11-22, parts that nobody could have said. An answer when nothing is open, speech of a human who never speaks, or
+ * words that fit no object make only that part uninformative; the rest of the utterance still counts.
+ */
+package handover.belief;

@@ -1,0 +1,45 @@
+package handover.solver;
+
+import java.util.random.RandomGenerator;
+
+/**
+ * A POMDP as a search sees it: beliefs are reusable nodes, and an act is a reward, an expected next belief, and outcomes
+ * to weigh or to sample. Implementations are used by one thread at a time and allocate nothing after warm-up.
+ *
+ * @param <N> a node: a belief with the known part, or what is in between an act and its observation
+ */
+public interface BeliefMdp<N> {
+    /** A node to be filled by this problem. */
+    N node();
+
+    double discount();
+
+    /** How many acts are legal; 0 if the episode is over. */
+    int acts(N node);
+
+    /**
+     * Starts an act: its expected reward now, which may depend on the belief.
+     *
+     * @param next receives the prediction: what is believed before anything is observed; modified
+     */
+    double start(N node, int act, N next);
+
+    /** Into how many outcomes of known probability what follows is split. */
+    int outcomes(N predicted);
+
+    /**
+     * One outcome; an outcome of probability 0 leaves {@code next} undefined.
+     *
+     * @return its probability
+     */
+    double outcome(N predicted, int k, N next);
+
+    /** Whether an outcome leaves something to observe that must be sampled. */
+    boolean sampled(N outcome);
+
+    /** Draws an observation of an outcome and corrects the belief by it. */
+    void sample(N outcome, RandomGenerator random, N next);
+
+    /** A lower bound on the value of a belief: what some simple policy earns from there. */
+    double leaf(N node);
+}

@@ -1,0 +1,26 @@
+package handover.solver;
+
+import handover.domain.Act;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * An act and why. Immutable.
+ *
+ * @param act what to do
+ * @param values estimated value of each act that was considered (discounted reward), in table order; may be empty
+ * @param depth how many acts ahead the values look, 0 if the policy does not look ahead
+ * @param nodes beliefs that were visited
+ * @param finished whether the solver did all that its parameters ask for before the deadline
+ */
+public record Decision(Act act, Map<Act, Double> values, int depth, long nodes, boolean finished) {
+    public Decision {
+        values = Collections.unmodifiableMap(new LinkedHashMap<>(values));
+    }
+
+    /** A decision without look-ahead. */
+    public static Decision of(Act act) {
+        return new Decision(act, Map.of(), 0, 1, true);
+    }
+}

@@ -1,0 +1,308 @@
+package handover.solver;
+
+import handover.belief.HandoverBelief;
+import handover.domain.ActEffect;
+import handover.domain.ActModel;
+import handover.domain.Answer;
+import handover.domain.HandoverDomain;
+import handover.domain.HumanModel;
+import handover.domain.Scene;
+import handover.domain.Task;
+import handover.domain.Words;
+import handover.math.Simplex;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.concurrent.ConcurrentMap;
+import java.util.random.RandomGenerator;
+
+/**
+ * The belief MDP of a handover domain on reused arrays. Rewards may depend on the belief; the outcomes of a pick are
+ * enumerated, speech and gestures are sampled. Everything that is added up here comes from the seams of the domain. Used by
+ * one thread at a time.
+ */
+final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
+    private final HandoverDomain domain;
+    private final int capacity;
+    private final int actCapacity;
+    private final Map<Scene, Evidence> evidence;
+    private final Map<Scene, CommitOrWait> commitOrWait = new HashMap<>();
+
+    /**
+     * For beliefs over at most the objects of {@code largest}.
+     *
+     * @param evidence cache that searches on any thread may share
+     */
+    HandoverSearch(Scene largest, ConcurrentMap<Scene, Evidence> evidence) {
+        this.evidence = evidence;
+        this.domain = largest.domain();
+        this.capacity = largest.size();
+        this.actCapacity = largest.acts().size();
+    }
+
+    /** A belief with its known part; between act and observation also what is under way. */
+    final class Node {
+        /** {@link #own} or, where nothing was observed, another node's. */
+        Belief b;
+        double[] h;
+        int n;
+        Task task;
+        /** The act that leads here and may still be answered; null at the root. */
+        ActEffect effect;
+        /** Whether people may still answer: not once a pick completed. */
+        boolean answerable;
+        private final Belief own = new Belief(capacity);
+        /** P(content words | i) of the step that leads here, once {@link #sampled} was asked. */
+        private final double[] rates = new double[capacity];
+        private final Expectations ownExpectations = new Expectations();
+        /** h' after each act; shared by all observations of the act that leads here. */
+        private Expectations expectations = ownExpectations;
+
+        /** U(h, act), computed once per h. */
+        double[] after(ActModel act) {
+            return expectations.after(act, h);
+        }
+
+        Node load(HandoverBelief belief) {
+            n = belief.probabilities().length;
+            b = own.begin(belief.probabilities(), n);
+            h = belief.human();
+            task = belief.task();
+            expectations = ownExpectations;
+            expectations.reset();
+            return this;
+        }
+    }
+
+    /** b with what is computed from it once. */
+    static final class Belief {
+        final double[] p;
+        private int n;
+        private int likeliest;
+        /** The object whose rejection {@link #afterRejection} is about, -1 if none was asked for yet. */
+        int rejected;
+        double afterRejection;
+
+        private Belief(int capacity) {
+            p = new double[capacity];
+        }
+
+        /** Starts a new belief from {@code from}, which may then be changed until something is asked of it. */
+        private Belief begin(double[] from, int size) {
+            System.arraycopy(from, 0, p, 0, size);
+            n = size;
+            likeliest = -1;
+            rejected = -1;
+            return this;
+        }
+
+        int likeliest() {
+            if (likeliest < 0) {
+                likeliest = Simplex.argmax(p, n);
+            }
+            return likeliest;
+        }
+    }
+
+    /** h' after each act for one h, filled on demand. */
+    private final class Expectations {
+        private final double[][] after = new double[actCapacity][];
+        private final int[] filled = new int[actCapacity];
+        private int current;
+
+        void reset() {
+            current++;
+        }
+
+        double[] after(ActModel act, double[] h) {
+            int a = act.index();
+            if (filled[a] != current || after[a] == null) {
+                if (after[a] == null) {
+                    after[a] = new double[capacity];
+                }
+                domain.understand(act, h, after[a], act.lambda().length);
+                filled[a] = current;
+            }
+            return after[a];
+        }
+    }
+
+    @Override
+    public Node node() {
+        return new Node();
+    }
+
+    @Override
+    public double discount() {
+        return domain.discount();
+    }
+
+    @Override
+    public int acts(Node node) {
+        return node.task.done() ? 0 : node.task.scene().acts().size();
+    }
+
+    @Override
+    public double start(Node node, int act, Node next) {
+        ActEffect effect = node.task.effect(act);
+        next.n = node.n;
+        next.task = effect.during();
+        next.effect = effect;
+        next.h = node.after(effect.model());
+        next.b = predicted(node, next.own);
+        next.answerable = !effect.completes();
+        return reward(effect, next.b.p, next.h, node.n);
+    }
+
+    /** b after the transition of omega; without one, the node's own. */
+    private Belief predicted(Node node, Belief out) {
+        double tau = domain.spec().tau();
+        if (tau == 1) {
+            return node.b;
+        }
+        out.begin(node.b.p, node.n);
+        Simplex.propagate(tau, out.p, out.p, node.n);
+        return out;
+    }
+
+    /** The expected reward of an act now (MODEL 6). */
+    double reward(ActEffect effect, double[] b, double[] h, int n) {
+        double reward = effect.reward() + domain.matchReward(b, h, n);
+        if (effect.completes()) {
+            double right = b[effect.model().target()];
+            reward += right * domain.pickReward(true) + (1 - right) * domain.pickReward(false);
+        }
+        return reward;
+    }
+
+    @Override
+    public int outcomes(Node predicted) {
+        return predicted.effect.completes() ? 2 : 1;
+    }
+
+    @Override
+    public double outcome(Node predicted, int k, Node next) {
+        double p = 1;
+        next.effect = predicted.effect;
+        next.answerable = predicted.answerable;
+        next.n = predicted.n;
+        next.task = predicted.task;
+        next.h = predicted.h;
+        next.b = predicted.b;
+        if (predicted.effect.completes()) {
+            double right = Math.min(1, predicted.b.p[predicted.effect.model().target()]);
+            p = k == 0 ? right : 1 - right;
+            if (p > 0) {
+                complete(predicted, k == 0, next);
+            }
+        }
+        next.expectations = next.ownExpectations;
+        next.expectations.reset();
+        return p;
+    }
+
+    private void complete(Node predicted, boolean right, Node next) {
+        int x = predicted.effect.model().target();
+        next.task = predicted.task.completed(right);
+        next.n = next.task.scene().size();
+        if (next.task.done()) {
+            return;
+        }
+        double[] uniform = commitOrWait(next.task.scene()).uniform();
+        next.h = uniform;
+        next.b = next.own.begin(uniform, next.n);
+        if (!right) {
+            exclude(x, predicted.b.p, predicted.n, next.b.p, next.n);
+        }
+    }
+
+    /** b once {@code x} is known not to be wanted; uniform stays if that was thought impossible. */
+    private static void exclude(int x, double[] b, int n, double[] out, int outSize) {
+        double others = 0;
+        for (int i = 0; i < n; i++) {
+            others += i == x ? 0 : b[i];
+        }
+        for (int i = 0, j = 0; i < n && others > 0; i++) {
+            if (i != x || outSize == n) {
+                out[j++] = i == x ? 0 : b[i] / others;
+            }
+        }
+    }
+
+    @Override
+    public boolean sampled(Node outcome) {
+        for (int i = 0; i < outcome.n; i++) {
+            outcome.rates[i] = domain.contentRate(outcome.effect.model().type(), outcome.h[i]);
+        }
+        return true;
+    }
+
+    @Override
+    public void sample(Node outcome, RandomGenerator random, Node next) {
+        int n = outcome.n;
+        int i = Simplex.sample(outcome.b.p, n, random);
+        next.b = next.own.begin(outcome.b.p, n);
+        double[] b = next.b.p;
+        next.n = n;
+        next.h = outcome.h;
+        next.expectations = outcome.expectations;
+        next.effect = outcome.effect;
+        next.task = outcome.answerable ? answer(outcome, i, random, b) : outcome.task;
+        speech(outcome, i, random, b);
+        if (random.nextDouble() < outcome.effect.model().type().parameters().gestureRate()) {
+            multiply(b, evidence(outcome.task.scene()).gesture(i, random), n);
+        }
+        Simplex.normalise(b, n);
+    }
+
+    /** Draws an answer, corrects b (modified) by it, and gives the task after it. */
+    private Task answer(Node outcome, int i, RandomGenerator random, double[] b) {
+        ActEffect effect = outcome.effect;
+        Answer answer = HumanModel.sampleAnswer(effect, i, random);
+        switch (answer) {
+            case YES -> multiply(b, effect.yes(), outcome.n);
+            case NO -> multiply(b, effect.no(), outcome.n);
+            case NONE -> {
+                for (int j = 0; j < outcome.n; j++) {
+                    b[j] *= 1 - effect.yes()[j] - effect.no()[j];
+                }
+            }
+        }
+        return outcome.task.answered(answer);
+    }
+
+    /** Draws whether and which content words are said and corrects b (modified) by them. */
+    private void speech(Node outcome, int i, RandomGenerator random, double[] b) {
+        int n = outcome.n;
+        if (random.nextDouble() >= outcome.rates[i]) {
+            for (int j = 0; j < n; j++) {
+                b[j] *= 1 - outcome.rates[j];
+            }
+            return;
+        }
+        multiply(b, outcome.rates, n);
+        ActModel reference = outcome.answerable ? outcome.effect.reference() : null;
+        Words words = outcome.task.scene().words(reference);
+        for (int k = HumanModel.sampleWordCount(domain, random); k > 0; k--) {
+            multiply(b, words.probabilities(words.sample(i, random)), n);
+        }
+    }
+
+    private static void multiply(double[] b, double[] likelihood, int n) {
+        for (int j = 0; j < n; j++) {
+            b[j] *= likelihood[j];
+        }
+    }
+
+    @Override
+    public double leaf(Node node) {
+        return commitOrWait(node.task.scene()).value(node);
+    }
+
+    private Evidence evidence(Scene scene) {
+        return evidence.computeIfAbsent(scene, Evidence::new);
+    }
+
+    private CommitOrWait commitOrWait(Scene scene) {
+        return commitOrWait.computeIfAbsent(scene, s -> new CommitOrWait(this, s));
+    }
+}

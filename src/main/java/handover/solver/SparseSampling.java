@@ -1,0 +1,119 @@
+package handover.solver;
+
+import handover.math.Streams;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.random.RandomGenerator;
+
+/**
+ * Partially observable sparse sampling: depth-first look-ahead of H acts on the belief MDP with C sampled observations for
+ * each act, on one node per level that is used again and again. The last level takes expected rewards and leaf values
+ * without sampling. Used by one thread at a time.
+ *
+ * <p>Source: Kearns, Mansour and Ng, "A sparse sampling algorithm for near-optimal planning in large Markov decision
+ * processes" (2002), on beliefs as in the report, section 3.
+ *
+ * @param <N> node of the problem
+ */
+public final class SparseSampling<N> {
+    private static final int NODES_BETWEEN_CHECKS = 256;
+
+    private final BeliefMdp<N> mdp;
+    private final int width;
+    private final boolean leaves;
+    private final List<Level<N>> levels = new ArrayList<>();
+    private Deadline deadline = Deadline.NONE;
+    private RandomGenerator random;
+    private long nodes;
+    private boolean stopped;
+
+    /** The nodes that the search needs at one depth. */
+    private record Level<N>(N predicted, N outcome, N next) {}
+
+    /**
+     * @param width C, observations sampled for each act, at least 1
+     * @param leaves whether the beliefs at depth H are worth their {@link BeliefMdp#leaf}, or 0
+     */
+    public SparseSampling(BeliefMdp<N> mdp, int width, boolean leaves) {
+        this.mdp = mdp;
+        this.width = width;
+        this.leaves = leaves;
+    }
+
+    /** Beliefs visited since construction. */
+    public long nodes() {
+        return nodes;
+    }
+
+    /**
+     * Values of all acts at {@code root}, looking {@code horizon} acts ahead. Each act has its own stream derived from
+     * {@code seed}, so that its value does not depend on which other acts there are.
+     *
+     * @param q receives the values; modified
+     * @return false if the deadline passed first: then {@code q} is undefined
+     */
+    public boolean values(N root, int horizon, long seed, Deadline limit, double[] q) {
+        while (levels.size() <= horizon) {
+            levels.add(new Level<>(mdp.node(), mdp.node(), mdp.node()));
+        }
+        deadline = limit;
+        stopped = false;
+        int acts = mdp.acts(root);
+        for (int a = 0; a < acts && !stopped; a++) {
+            random = new SplittableRandom(Streams.mix(Streams.mix(seed, horizon), a));
+            q[a] = actValue(root, a, horizon);
+        }
+        return !stopped;
+    }
+
+    private double value(N node, int horizon) {
+        if (++nodes % NODES_BETWEEN_CHECKS == 0 && deadline.passed()) {
+            stopped = true;
+        }
+        int acts = mdp.acts(node);
+        if (acts == 0) {
+            return 0;
+        }
+        double best = Double.NEGATIVE_INFINITY;
+        for (int a = 0; a < acts && !stopped; a++) {
+            best = Math.max(best, actValue(node, a, horizon));
+        }
+        return best;
+    }
+
+    private double actValue(N node, int act, int horizon) {
+        Level<N> level = levels.get(horizon);
+        double reward = mdp.start(node, act, level.predicted);
+        if (horizon == 1 && !leaves) {
+            return reward;
+        }
+        double future = 0;
+        int outcomes = mdp.outcomes(level.predicted);
+        for (int k = 0; k < outcomes && !stopped; k++) {
+            double p = mdp.outcome(level.predicted, k, level.outcome);
+            if (p > 0) {
+                future += p * outcomeValue(level, horizon);
+            }
+        }
+        return reward + mdp.discount() * future;
+    }
+
+    private double outcomeValue(Level<N> level, int horizon) {
+        if (mdp.acts(level.outcome) == 0) {
+            return 0;
+        }
+        if (horizon == 1) {
+            return mdp.leaf(level.outcome);
+        }
+        if (!mdp.sampled(level.outcome)) {
+            return value(level.outcome, horizon - 1);
+        }
+        double sum = 0;
+        for (int c = 0; c < width && !stopped; c++) {
+            mdp.sample(level.outcome, random, level.next);
+            sum += value(level.next, horizon - 1);
+        }
+        return sum / width;
+    }
+}
