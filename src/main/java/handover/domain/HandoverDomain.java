@@ -99,6 +99,11 @@ public class HandoverDomain implements DomainGenerator {
         return spec.rewards().matchWeight() * spec.rewards().matchScore().of(b, h, n);
     }
 
+    /** An upper bound of {@link #matchReward}, by which searches prune; a variant that changes one changes both. */
+    public double matchBound() {
+        return spec.rewards().matchWeight() * spec.rewards().matchScore().max();
+    }
+
     /** Whether {@link #matchReward} is a reward of the belief that no reward of states has as its expectation. */
     public boolean beliefDependentReward() {
         return spec.rewards().matchScore().beliefDependent();

@@ -118,7 +118,7 @@ public final class HandoverModel implements FullModel {
         Simplex.propagate(domain.spec().tau(), wanted, wanted, n);
         int i = Simplex.sample(wanted, n, nature);
         if (!effect.completes()) {
-            return outcome(state, a, effect, i, h, HumanModel.sampleAnswer(effect, i, human), 0);
+            return outcome(state, a, effect, i, h, HumanModel.answer(effect, i, human.nextDouble()), 0);
         }
         double[] wishes = wishesAfter(effect, i);
         return outcome(state, a, effect, i, h, Answer.NONE, Simplex.sample(wishes, wishes.length, nature));

@@ -78,9 +78,9 @@ public final class HumanModel {
         return k + 1;
     }
 
-    /** An answer drawn from P(answer | i). */
-    public static Answer sampleAnswer(ActEffect effect, int i, RandomGenerator random) {
-        double u = random.nextDouble() - effect.yes()[i];
-        return u < 0 ? Answer.YES : u < effect.no()[i] ? Answer.NO : Answer.NONE;
+    /** The answer at level {@code u} in [0, 1) of P(answer | i), in the order yes, no, none. */
+    public static Answer answer(ActEffect effect, int i, double u) {
+        double afterYes = u - effect.yes()[i];
+        return afterYes < 0 ? Answer.YES : afterYes < effect.no()[i] ? Answer.NO : Answer.NONE;
     }
 }

@@ -111,6 +111,11 @@ public enum MatchScore {
      */
     public abstract double of(double[] b, double[] h, int n);
 
+    /** The largest value that S can take. */
+    public double max() {
+        return this == LINEAR ? 1 : 0;
+    }
+
     /** Whether S is not linear in b, so that it is a reward of the belief but not of any state (a rho-POMDP). */
     public boolean beliefDependent() {
         return beliefDependent;

@@ -111,9 +111,14 @@ public final class Simplex {
         return best;
     }
 
-    /** An index drawn with probability proportional to {@code p}, by inversion; never one with p = 0. */
+    /** An index drawn with probability proportional to {@code p}; never one with p = 0. */
     public static int sample(double[] p, int n, RandomGenerator random) {
-        double u = random.nextDouble() * sum(p, n);
+        return quantile(p, n, random.nextDouble());
+    }
+
+    /** The index at share {@code level} (in [0, 1)) of the cumulative sums of {@code p}; never one with p = 0. */
+    public static int quantile(double[] p, int n, double level) {
+        double u = level * sum(p, n);
         int last = -1;
         for (int i = 0; i < n; i++) {
             if (p[i] > 0) {

@@ -37,9 +37,20 @@ public interface BeliefMdp<N> {
     /** Whether an outcome leaves something to observe that must be sampled. */
     boolean sampled(N outcome);
 
-    /** Draws an observation of an outcome and corrects the belief by it. */
-    void sample(N outcome, RandomGenerator random, N next);
+    /**
+     * Draws an observation of an outcome and corrects the belief by it.
+     *
+     * @param stratum in [0, 1): which part of the distribution of hidden states the draw comes from, so that several draws
+     *     can be spread evenly over it
+     */
+    void sample(N outcome, double stratum, RandomGenerator random, N next);
 
-    /** A lower bound on the value of a belief: what some simple policy earns from there. */
-    double leaf(N node);
+    /** A lower bound on the value of what follows an act: what some simple policy earns if it observes nothing. */
+    double leaf(N predicted);
+
+    /**
+     * An upper bound on {@code start} plus the discounted {@link #leaf} after it, by which the last level is pruned;
+     * infinity if none is known.
+     */
+    double bound(N node, int act);
 }

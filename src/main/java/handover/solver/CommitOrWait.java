@@ -2,6 +2,7 @@ package handover.solver;
 
 import handover.domain.Act;
 import handover.domain.ActEffect;
+import handover.domain.ActModel;
 import handover.domain.HandoverDomain;
 import handover.domain.Scene;
 import handover.domain.Task;
@@ -11,7 +12,8 @@ import handover.math.Simplex;
 /**
  * The value of the simplest policy that can be executed: hand over the likeliest object now, or wait for ever, whichever is
  * worth more; after a wrong object the same again. It observes nothing, so that (with a target that stands still, tau = 1)
- * its value is a lower bound on that of any good policy. Used by one thread at a time.
+ * its value is a lower bound on that of any good policy. What does not change among the acts of a belief is computed once
+ * for it, and a commitment that cannot beat waiting is not computed at all. Used by one thread at a time.
  */
 final class CommitOrWait {
     /** After so many wrong objects in a row the rest of the value is that of waiting. */
@@ -19,26 +21,37 @@ final class CommitOrWait {
 
     private final HandoverSearch search;
     private final HandoverDomain domain;
+    private final AskInTurn asking;
+    private final int n;
     private final double[] uniform;
     private final int[] picks;
     private final double waitReward;
     private final double afterHandover;
     private final double[][] rest;
     private final double[] human;
-    private final Task start;
+    /** At most paid for one increment of a pick, and for all of them. */
+    private final double pricePerIncrement;
+    private final double pricePerPick;
+    /** The discount of the last increment of a pick. */
+    private final double lastDiscount;
 
     CommitOrWait(HandoverSearch search, Scene scene) {
         this.search = search;
         this.domain = scene.domain();
-        int n = scene.size();
+        this.n = scene.size();
         this.uniform = Simplex.uniform(n);
         this.picks = new int[n];
-        scene.acts().stream().filter(m -> m.isPick()).forEach(m -> picks[m.target()] = m.index());
+        scene.acts().stream().filter(ActModel::isPick).forEach(m -> picks[m.target()] = m.index());
         this.waitReward = scene.model(Act.WAIT).type().parameters().reward();
-        this.afterHandover = n == 1 ? 0 : waiting(Simplex.uniform(n - 1), Simplex.uniform(n - 1), Simplex.uniform(n - 1));
+        double[] fresh = Simplex.uniform(n - 1);
+        this.afterHandover = n == 1 ? 0 : waiting(domain.matchReward(fresh, fresh, n - 1));
         this.rest = new double[MOST_PICKS][n];
         this.human = new double[n];
-        this.start = domain.task(scene);
+        this.asking = new AskInTurn(scene);
+        double gamma = domain.discount();
+        this.pricePerIncrement = scene.acts().get(picks[0]).type().parameters().reward() + domain.matchBound();
+        this.pricePerPick = pricePerIncrement * (1 - Math.pow(gamma, domain.increments())) / (1 - gamma);
+        this.lastDiscount = Math.pow(gamma, domain.increments() - 1);
     }
 
     /** What the human expects when a wish is new. */
@@ -46,74 +59,133 @@ final class CommitOrWait {
         return uniform;
     }
 
+    /** The value of a belief at which no pick has just completed. */
     double value(HandoverSearch.Node node) {
         HandoverSearch.Belief b = node.b;
-        int likeliest = b.likeliest();
-        double best = Math.max(waiting(b.p, node.h, uniform), committing(node, likeliest));
+        double best = Math.max(waiting(Math.min(node.match, matchUniform(b))), asking(node));
+        if (commitBound(node) > best) {
+            best = Math.max(best, committing(node, b.likeliest()));
+        }
         if (node.task.target() != null) {
-            int target = node.task.scene().indexOf(node.task.target());
-            best = target == likeliest ? best : Math.max(best, committing(node, target));
+            best = Math.max(best, committing(node, node.task.scene().indexOf(node.task.target())));
         }
         return best;
+    }
+
+    /** The value of what follows a completed pick, before its outcome is known. */
+    double afterPick(HandoverSearch.Node predicted) {
+        int x = predicted.effect.model().target();
+        double right = predicted.b.p[x];
+        return later(right, predicted.task, right < 1 ? afterRejection(predicted.b, x, predicted.task) : 0);
     }
 
     /**
      * Waiting for ever. The human's belief then goes straight towards uniform and every score is concave in it, so that
      * the worse of the two ends bounds the match part from below.
      */
-    private double waiting(double[] b, double[] h, double[] towards) {
-        int n = towards.length;
-        double match = Math.min(domain.matchReward(b, h, n), domain.matchReward(b, towards, n));
+    private double waiting(double match) {
         return (waitReward + match) / (1 - domain.discount());
     }
 
-    private double committing(HandoverSearch.Node node, int x) {
-        HandoverSearch.Belief b = node.b;
-        if (b.rejected != x && b.p[x] < 1) {
-            b.rejected = x;
-            b.afterRejection = afterWrong(b.p, x, 0);
+    private double asking(HandoverSearch.Node node) {
+        if (Double.isNaN(node.b.asking)) {
+            node.b.asking = asking.value(node.b.p, node.task, waiting(domain.matchReward(uniform, uniform, n)));
         }
-        return committing(b.p, node.h, node.task, x, b.afterRejection);
+        return node.b.asking;
+    }
+
+    private double matchUniform(HandoverSearch.Belief b) {
+        if (Double.isNaN(b.matchUniform)) {
+            b.matchUniform = domain.matchReward(b.p, uniform, n);
+        }
+        return b.matchUniform;
+    }
+
+    private double committing(HandoverSearch.Node node, int x) {
+        double right = node.b.p[x];
+        double afterRejection = right < 1 ? afterRejection(node.b, x, node.task.effect(picks[x]).during()) : 0;
+        return committing(node.b.p, node.h, node.task, x, afterRejection);
     }
 
     /** Reaching for object {@code x} until the pick completes, and going on from there. */
-    private double committing(double[] b, double[] h, Task from, int x, double afterWrong) {
+    private double committing(double[] b, double[] h, Task from, int x, double afterRejection) {
         double value = 0;
         double discount = 1;
         Task task = from;
         double[] expected = h;
         while (true) {
             ActEffect effect = task.effect(picks[x]);
-            domain.understand(effect.model(), expected, human, uniform.length);
-            value += discount * search.reward(effect, b, human, uniform.length);
-            discount *= domain.discount();
+            domain.understand(effect.model(), expected, human, n);
+            value += discount * (effect.reward() + domain.matchReward(b, human, n));
             task = effect.during();
             expected = human;
             if (effect.completes()) {
-                double right = task.completed(true).done() ? 0 : b[x] * afterHandover;
-                double wrong = task.completed(false).done() ? 0 : (1 - b[x]) * afterWrong;
-                return value + discount * (right + wrong);
+                return value + discount * (search.pickReward(b[x])
+                        + domain.discount() * later(b[x], task, afterRejection));
             }
+            discount *= domain.discount();
         }
+    }
+
+    private double later(double right, Task during, double afterRejection) {
+        return right * (during.completed(true).done() ? 0 : afterHandover)
+                + (1 - right) * (during.completed(false).done() ? 0 : afterRejection);
+    }
+
+    private double afterRejection(HandoverSearch.Belief b, int x, Task picking) {
+        if (b.rejected != x) {
+            b.rejected = x;
+            b.afterRejection = afterRejection(b.p, x, picking.completed(false), 0);
+        }
+        return b.afterRejection;
     }
 
     /**
      * The value once {@code x} turned out not to be wanted, for a human who expects nothing in particular; where it left
      * the table, that of waiting.
      */
-    private double afterWrong(double[] b, int x, int picked) {
+    private double afterRejection(double[] b, int x, Task task, int picked) {
         double[] p = rest[picked];
-        System.arraycopy(b, 0, p, 0, p.length);
+        System.arraycopy(b, 0, p, 0, n);
         p[x] = 0;
-        if (!(Simplex.normalise(p, p.length) > 0)) {
-            return waiting(uniform, uniform, uniform);
+        if (!(Simplex.normalise(p, n) > 0)) {
+            return waiting(domain.matchReward(uniform, uniform, n));
         }
-        double wait = waiting(p, uniform, uniform);
-        if (picked == MOST_PICKS - 1 || domain.spec().wrongPick() == WrongPick.REMOVED) {
-            return wait;
+        double wait = waiting(domain.matchReward(p, uniform, n));
+        if (picked == MOST_PICKS - 1 || task.done() || domain.spec().wrongPick() == WrongPick.REMOVED) {
+            return task.done() ? 0 : wait;
         }
-        int y = Simplex.argmax(p, p.length);
-        double later = p[y] < 1 ? afterWrong(p, y, picked + 1) : 0;
-        return Math.max(wait, committing(p, uniform, start, y, later));
+        int y = Simplex.argmax(p, n);
+        double later = p[y] < 1 ? afterRejection(p, y, task, picked + 1) : 0;
+        return Math.max(wait, committing(p, uniform, task, y, later));
+    }
+
+    // ---- upper bounds, by which the search leaves out what cannot be the best -----------------------------------
+
+    /** On {@link #value} after an act that completes no pick. */
+    double upperBound(HandoverSearch.Node node, ActEffect effect) {
+        if (domain.spec().tau() < 1 || effect.during().target() != null) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return Math.max(asking(node), Math.max(waiting(domain.matchBound()), commitBound(node)));
+    }
+
+    /** On {@link #afterPick}. */
+    double mostAfterPick() {
+        double handedOver = Math.max(0, pricePerIncrement) + Math.max(0, domain.pickReward(true)) + Math.max(0, afterHandover);
+        return Math.max(handedOver, Math.max(0, waiting(domain.matchBound())));
+    }
+
+    private double commitBound(HandoverSearch.Node node) {
+        HandoverSearch.Belief b = node.b;
+        if (Double.isNaN(b.commitBound)) {
+            int x = b.likeliest();
+            double right = b.p[x];
+            Task picking = node.task.effect(picks[x]).during();
+            double outcome = search.pickReward(right) + domain.discount()
+                    * later(right, picking, right < 1 ? afterRejection(b, x, picking) : 0);
+            b.commitBound = pricePerPick + lastDiscount * outcome;
+        }
+        return b.commitBound;
     }
 }

@@ -48,6 +48,8 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         Task task;
         /** The act that leads here and may still be answered; null at the root. */
         ActEffect effect;
+        /** The match reward of the act under way. */
+        double match;
         /** Whether people may still answer: not once a pick completed. */
         boolean answerable;
         private final Belief own = new Belief(capacity);
@@ -81,6 +83,12 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         /** The object whose rejection {@link #afterRejection} is about, -1 if none was asked for yet. */
         int rejected;
         double afterRejection;
+        /** The match reward if the human expects nothing in particular; NaN until asked for. */
+        double matchUniform;
+        /** The value of {@link AskInTurn}; NaN until asked for. */
+        double asking;
+        /** Upper bound on handing over the likeliest object now; NaN until asked for. */
+        double commitBound;
 
         private Belief(int capacity) {
             p = new double[capacity];
@@ -92,6 +100,9 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
             n = size;
             likeliest = -1;
             rejected = -1;
+            matchUniform = Double.NaN;
+            asking = Double.NaN;
+            commitBound = Double.NaN;
             return this;
         }
 
@@ -150,7 +161,8 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         next.h = node.after(effect.model());
         next.b = predicted(node, next.own);
         next.answerable = !effect.completes();
-        return reward(effect, next.b.p, next.h, node.n);
+        next.match = domain.matchReward(next.b.p, next.h, node.n);
+        return effect.reward() + next.match + (effect.completes() ? pickReward(next.b.p[effect.model().target()]) : 0);
     }
 
     /** b after the transition of omega; without one, the node's own. */
@@ -164,14 +176,9 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         return out;
     }
 
-    /** The expected reward of an act now (MODEL 6). */
-    double reward(ActEffect effect, double[] b, double[] h, int n) {
-        double reward = effect.reward() + domain.matchReward(b, h, n);
-        if (effect.completes()) {
-            double right = b[effect.model().target()];
-            reward += right * domain.pickReward(true) + (1 - right) * domain.pickReward(false);
-        }
-        return reward;
+    /** The expected reward of a completed pick of an object that is wanted with probability {@code right}. */
+    double pickReward(double right) {
+        return right * domain.pickReward(true) + (1 - right) * domain.pickReward(false);
     }
 
     @Override
@@ -236,34 +243,39 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         return true;
     }
 
+    /** Draws in the same order whatever the act, so that equal seeds mean equal luck for all of them. */
     @Override
-    public void sample(Node outcome, RandomGenerator random, Node next) {
+    public void sample(Node outcome, double stratum, RandomGenerator random, Node next) {
         int n = outcome.n;
-        int i = Simplex.sample(outcome.b.p, n, random);
+        int i = Simplex.quantile(outcome.b.p, n, stratum);
         next.b = next.own.begin(outcome.b.p, n);
         double[] b = next.b.p;
         next.n = n;
         next.h = outcome.h;
         next.expectations = outcome.expectations;
         next.effect = outcome.effect;
-        next.task = outcome.answerable ? answer(outcome, i, random, b) : outcome.task;
-        speech(outcome, i, random, b);
+        next.task = answer(outcome, i, random.nextDouble(), b);
+        double[] gesture = evidence(outcome.task.scene()).gesture(i, random);
         if (random.nextDouble() < outcome.effect.model().type().parameters().gestureRate()) {
-            multiply(b, evidence(outcome.task.scene()).gesture(i, random), n);
+            multiply(b, gesture, n);
         }
+        speech(outcome, i, random, b);
         Simplex.normalise(b, n);
     }
 
-    /** Draws an answer, corrects b (modified) by it, and gives the task after it. */
-    private Task answer(Node outcome, int i, RandomGenerator random, double[] b) {
+    /** The answer at level {@code u} of its distribution: corrects b (modified) by it and gives the task after it. */
+    private static Task answer(Node outcome, int i, double u, double[] b) {
+        if (!outcome.answerable) {
+            return outcome.task;
+        }
         ActEffect effect = outcome.effect;
-        Answer answer = HumanModel.sampleAnswer(effect, i, random);
+        Answer answer = HumanModel.answer(effect, i, u);
         switch (answer) {
             case YES -> multiply(b, effect.yes(), outcome.n);
             case NO -> multiply(b, effect.no(), outcome.n);
             case NONE -> {
                 for (int j = 0; j < outcome.n; j++) {
-                    b[j] *= 1 - effect.yes()[j] - effect.no()[j];
+                    b[j] *= effect.answerProbability(Answer.NONE, j);
                 }
             }
         }
@@ -294,8 +306,22 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
     }
 
     @Override
-    public double leaf(Node node) {
-        return commitOrWait(node.task.scene()).value(node);
+    public double leaf(Node predicted) {
+        CommitOrWait policy = commitOrWait(predicted.task.scene());
+        return predicted.effect.completes() ? policy.afterPick(predicted) : policy.value(predicted);
+    }
+
+    @Override
+    public double bound(Node node, int act) {
+        ActEffect effect = node.task.effect(act);
+        double reward = effect.reward() + domain.matchBound();
+        CommitOrWait policy = commitOrWait(node.task.scene());
+        if (effect.completes()) {
+            double right = node.b.p[effect.model().target()];
+            return domain.spec().tau() < 1 ? Double.POSITIVE_INFINITY
+                    : reward + pickReward(right) + domain.discount() * policy.mostAfterPick();
+        }
+        return reward + domain.discount() * policy.upperBound(node, effect);
     }
 
     private Evidence evidence(Scene scene) {

@@ -1,0 +1,18 @@
+/**
+ * What the toolkit reads and writes: domain files and human files here are a {@link handover.domain.DomainSpec} as JSON,
+ * checked so strictly that a typing error is a message with file, path, value and expectation, never a default.
+ *
+ * <p>2026-11-22, shape before binding. A file is laid over the defaults ({@code DomainSpec.of}, their only place), then
+ * its shape is checked against the records by reflection, and only then does Jackson make the records, whose own range
+ * checks come last. Rejected: Jackson alone, which coerces, names Java classes in its messages and reports what is missing
+ * before the misspelled key that explains it; and validation against the JSON Schema, which is for editors: its messages
+ * speak of the schema, and a second description of the format would decide what is valid. Tests hold schema and reader
+ * together.
+ *
+ * <p>2026-11-22, numbers. Read as doubles, not as decimals, so that -0.0 survives a round trip. NaN, Infinity and 1e999
+ * are stopped in the parser, where their spelling is still known.
+ *
+ * <p>2026-11-22, new acts. A variant may add acts, so an unknown verb is no error; but it must give all of its fields,
+ * because a new act has no defaults and because a mistyped verb then does not pass for one.
+ */
+package handover.io;
