@@ -40,7 +40,9 @@ public record DomainSpec(String name, String description, List<TableObject> obje
 
     /** Checks every field and how they go together; throws {@link InvalidParameterException}. */
     public DomainSpec {
-        Check.present("name", name, "the domain's name");
+        if (name == null || name.isBlank()) {
+            throw new InvalidParameterException("name", name, "the domain's name");
+        }
         description = description == null ? "" : description;
         Check.position("pointing_origin", pointingOrigin);
         Check.position("shoulder", shoulder);

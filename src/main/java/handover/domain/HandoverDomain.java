@@ -6,6 +6,7 @@ import burlap.mdp.auxiliary.DomainGenerator;
 import burlap.mdp.singleagent.pomdp.PODomain;
 import burlap.statehashing.ReflectiveHashableStateFactory;
 import handover.math.AngularGaussian;
+import handover.math.MatchScore;
 import handover.math.Simplex;
 import java.util.ArrayList;
 import java.util.List;
@@ -25,6 +26,8 @@ public class HandoverDomain implements DomainGenerator {
     private final DomainSpec spec;
     private final Vocabulary vocabulary;
     private final AngularGaussian pointing;
+    private final MatchScore matchScore;
+    private final double matchWeight;
     private final List<ActType> types;
     private final ActModel idle;
     private final Scene start;
@@ -34,6 +37,8 @@ public class HandoverDomain implements DomainGenerator {
         this.spec = spec;
         this.vocabulary = new Vocabulary(spec.objects(), spec.speech().alpha());
         this.pointing = new AngularGaussian(spec.gesture().variance(), spec.gesture().outliers());
+        this.matchScore = spec.rewards().matchScore();
+        this.matchWeight = spec.rewards().matchWeight();
         this.types = List.copyOf(actTypes());
         ActType wait = new WaitType(spec.act("wait"));
         this.idle = new ActModel(0, Act.WAIT, wait, new double[0], null, -1, "");
@@ -96,7 +101,7 @@ public class HandoverDomain implements DomainGenerator {
      * @param h the human's belief after the act; not modified
      */
     public double matchReward(double[] b, double[] h, int n) {
-        return spec.rewards().matchWeight() * spec.rewards().matchScore().of(b, h, n);
+        return matchWeight * matchScore.of(b, h, n);
     }
 
     /** An upper bound of {@link #matchReward}, by which searches prune; a variant that changes one changes both. */

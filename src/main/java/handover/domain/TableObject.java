@@ -34,7 +34,7 @@ public record TableObject(String name, Vector3 position, Map<String, Double> wor
             }
             if (Utterance.isReserved(word)) {
                 throw new InvalidParameterException(field, word,
-                        "a word that describes the object; this one is heard as an answer or as \"not\"");
+                        "a word that describes the object; this one is heard as an answer, as \"not\" or as \"but\"");
             }
             Check.present(field, count, "a count >= 0");
             Check.within(field, count, 0, MOST, "a count");

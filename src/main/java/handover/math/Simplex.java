@@ -27,7 +27,7 @@ public final class Simplex {
     /**
      * One step of T_stay: each outcome stays with probability {@code stay}, else moves to one of the others uniformly.
      *
-     * @param p distribution, not modified (may be the same array as {@code out})
+     * @param p distribution (sums to one), not modified (may be the same array as {@code out})
      * @param out receives T p; modified
      */
     public static void propagate(double stay, double[] p, double[] out, int n) {
@@ -38,9 +38,8 @@ public final class Simplex {
             return;
         }
         double move = (1 - stay) / (n - 1);
-        double total = sum(p, n);
         for (int i = 0; i < n; i++) {
-            out[i] = stay * p[i] + move * (total - p[i]);
+            out[i] = stay * p[i] + move * (1 - p[i]);
         }
     }
 

@@ -36,4 +36,10 @@ public record Vector3(double x, double y, double z) {
     public double angleTo(Vector3 o) {
         return Math.atan2(cross(o).norm(), dot(o));
     }
+
+    /** {@code [x, y, z]}. */
+    @Override
+    public String toString() {
+        return "[" + x + ", " + y + ", " + z + "]";
+    }
 }

@@ -12,18 +12,22 @@ import handover.math.Simplex;
 
 /**
  * The value of a policy that asks about one object after the other, the likeliest first, hands over the first that gets a
- * yes, and listens to nothing else. Followed in expectation along the one path on which nobody says yes, for a human who
- * expects nothing in particular. Used by one thread at a time.
+ * yes, and listens to nothing else. It is followed in expectation along the one path on which nobody says yes. Its match
+ * part, which is small, is that of a human who expects nothing in particular before each question, and 0 for the pick that
+ * follows a yes. Used by one thread at a time.
  */
 final class AskInTurn {
-    private static final double NEGLIGIBLE = 1e-3;
+    /** What is left of the path when it is not worth following. */
+    private static final double NEGLIGIBLE = 1e-2;
 
     private final HandoverDomain domain;
     private final int n;
+    /** By object; null if there are no questions. */
     private final ActModel[] asks;
+    /** What a human who expected nothing in particular expects after each question. */
+    private final double[][] human;
     private final double[] left;
     private final double[] posterior;
-    private final double[] human;
     private final double pickPrice;
     private final double lastDiscount;
 
@@ -31,15 +35,16 @@ final class AskInTurn {
         domain = scene.domain();
         n = scene.size();
         asks = new ActModel[n];
+        human = new double[n][];
         for (int i = 0; i < n; i++) {
             asks[i] = scene.model(Act.of(AskType.VERB, scene.objects().get(i).name()));
+            human[i] = asks[i] == null ? null : domain.understood(asks[i], Simplex.uniform(n));
         }
         left = new double[n];
         posterior = new double[n];
-        human = new double[n];
         double gamma = domain.discount();
-        double increment = scene.model(Act.of(PickType.VERB, scene.objects().get(0).name())).type().parameters().reward();
-        pickPrice = increment * (1 - Math.pow(gamma, domain.increments())) / (1 - gamma);
+        double price = scene.model(Act.of(PickType.VERB, scene.objects().get(0).name())).type().parameters().reward();
+        pickPrice = price * (1 - Math.pow(gamma, domain.increments())) / (1 - gamma);
         lastDiscount = Math.pow(gamma, domain.increments() - 1);
     }
 
@@ -54,7 +59,7 @@ final class AskInTurn {
             return Double.NEGATIVE_INFINITY;
         }
         System.arraycopy(b, 0, left, 0, n);
-        java.util.Arrays.fill(human, 1.0 / n);
+        double afterWrong = domain.pickReward(false) + domain.discount() * otherwise;
         Task task = from;
         double value = 0;
         double discount = 1;
@@ -62,22 +67,20 @@ final class AskInTurn {
         for (int k = 0; k < 2 * n && mass > NEGLIGIBLE; k++) {
             int x = Simplex.argmax(left, n);
             ActEffect effect = task.effect(asks[x].index());
-            domain.understand(effect.model(), human, human, n);
+            double[] yes = effect.yes();
+            double right = left[x] * yes[x];
+            double yesMass = 0;
             for (int i = 0; i < n; i++) {
                 posterior[i] = left[i] / mass;
-            }
-            value += discount * mass * (effect.reward() + domain.matchReward(posterior, human, n));
-            double right = left[x] * effect.yes()[x];
-            double yes = 0;
-            for (int i = 0; i < n; i++) {
-                double y = left[i] * effect.yes()[i];
-                yes += y;
+                double y = left[i] * yes[i];
+                yesMass += y;
                 left[i] -= y;
             }
+            value += discount * mass * (effect.reward() + domain.matchReward(posterior, human[x], n));
             discount *= domain.discount();
-            value += discount * (yes * pickPrice + lastDiscount * (right * domain.pickReward(true)
-                    + (yes - right) * (domain.pickReward(false) + domain.discount() * otherwise)));
-            mass -= yes;
+            value += discount * (yesMass * pickPrice
+                    + lastDiscount * (right * domain.pickReward(true) + (yesMass - right) * afterWrong));
+            mass -= yesMass;
             task = effect.during();
         }
         return value + discount * mass * otherwise;

@@ -46,6 +46,8 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         double[] h;
         int n;
         Task task;
+        /** What leaves on this table are worth. */
+        CommitOrWait policy;
         /** The act that leads here and may still be answered; null at the root. */
         ActEffect effect;
         /** The match reward of the act under way. */
@@ -69,6 +71,7 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
             b = own.begin(belief.probabilities(), n);
             h = belief.human();
             task = belief.task();
+            policy = commitOrWait(task.scene());
             expectations = ownExpectations;
             expectations.reset();
             return this;
@@ -157,6 +160,7 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         ActEffect effect = node.task.effect(act);
         next.n = node.n;
         next.task = effect.during();
+        next.policy = node.policy;
         next.effect = effect;
         next.h = node.after(effect.model());
         next.b = predicted(node, next.own);
@@ -193,6 +197,7 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         next.answerable = predicted.answerable;
         next.n = predicted.n;
         next.task = predicted.task;
+        next.policy = predicted.policy;
         next.h = predicted.h;
         next.b = predicted.b;
         if (predicted.effect.completes()) {
@@ -214,7 +219,8 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         if (next.task.done()) {
             return;
         }
-        double[] uniform = commitOrWait(next.task.scene()).uniform();
+        next.policy = commitOrWait(next.task.scene());
+        double[] uniform = next.policy.uniform();
         next.h = uniform;
         next.b = next.own.begin(uniform, next.n);
         if (!right) {
@@ -252,6 +258,7 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         double[] b = next.b.p;
         next.n = n;
         next.h = outcome.h;
+        next.policy = outcome.policy;
         next.expectations = outcome.expectations;
         next.effect = outcome.effect;
         next.task = answer(outcome, i, random.nextDouble(), b);
@@ -307,21 +314,19 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
 
     @Override
     public double leaf(Node predicted) {
-        CommitOrWait policy = commitOrWait(predicted.task.scene());
-        return predicted.effect.completes() ? policy.afterPick(predicted) : policy.value(predicted);
+        return predicted.effect.completes() ? predicted.policy.afterPick(predicted) : predicted.policy.value(predicted);
     }
 
     @Override
     public double bound(Node node, int act) {
         ActEffect effect = node.task.effect(act);
         double reward = effect.reward() + domain.matchBound();
-        CommitOrWait policy = commitOrWait(node.task.scene());
         if (effect.completes()) {
             double right = node.b.p[effect.model().target()];
             return domain.spec().tau() < 1 ? Double.POSITIVE_INFINITY
-                    : reward + pickReward(right) + domain.discount() * policy.mostAfterPick();
+                    : reward + pickReward(right) + domain.discount() * node.policy.mostAfterPick();
         }
-        return reward + domain.discount() * policy.upperBound(node, effect);
+        return reward + domain.discount() * node.policy.upperBound(node, effect);
     }
 
     private Evidence evidence(Scene scene) {

@@ -161,7 +161,7 @@ final class BadDomains {
                 seen(object("'position': [0, 0.6, 0], 'words': {'light red': 1}"),
                         "objects[0].words.light red: expected one lower-case word, got \"light red\""),
                 seen(object("'position': [0, 0.6, 0], 'words': {'wrong': 1}"), "objects[0].words.wrong: expected a word that "
-                        + "describes the object; this one is heard as an answer or as \"not\", got \"wrong\""),
+                        + "describes the object; this one is heard as an answer, as \"not\" or as \"but\", got \"wrong\""),
                 seen("{'name': 'x', 'objects': [{'name': 'red cup', 'position': [0, 0.6, 0], 'words': {}}]}",
                         "objects[0].name: expected letters, digits, '_', '-' or '.', got \"red cup\""));
     }

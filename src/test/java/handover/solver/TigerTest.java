@@ -1,0 +1,79 @@
+package handover.solver;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import burlap.behavior.singleagent.planning.stochastic.sparsesampling.SparseSampling;
+import burlap.behavior.valuefunction.QValue;
+import burlap.domain.singleagent.pomdp.tiger.TigerDomain;
+import burlap.mdp.singleagent.SADomain;
+import burlap.mdp.singleagent.pomdp.BeliefMDPGenerator;
+import burlap.mdp.singleagent.pomdp.PODomain;
+import burlap.mdp.singleagent.pomdp.beliefstate.TabularBeliefState;
+import burlap.statehashing.ReflectiveHashableStateFactory;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** POSS on BURLAP's Tiger: against hand-written exact values, and against BURLAP's own sparse sampling. */
+class TigerTest {
+    private static final double GAMMA = 0.95;
+    private static final int LEFT = 0;
+    private static final int LISTEN = 2;
+
+    private final PODomain tiger = (PODomain) new TigerDomain().generateDomain();
+
+    /** Exact finite-horizon value of an act at P(tiger left) = p, written from the problem's definition. */
+    private static double q(double p, int act, int horizon) {
+        if (act != LISTEN) {
+            double wrong = act == LEFT ? p : 1 - p;
+            return -100 * wrong + 10 * (1 - wrong) + GAMMA * v(0.5, horizon - 1);
+        }
+        double hearLeft = 0.85 * p + 0.15 * (1 - p);
+        return -1 + GAMMA * (hearLeft * v(0.85 * p / hearLeft, horizon - 1)
+                + (1 - hearLeft) * v(0.15 * p / (1 - hearLeft), horizon - 1));
+    }
+
+    private static double v(double p, int horizon) {
+        return horizon == 0 ? 0 : Math.max(q(p, 0, horizon), Math.max(q(p, 1, horizon), q(p, LISTEN, horizon)));
+    }
+
+    private double[] poss(double p, int horizon, int width) {
+        TabularSearch mdp = new TabularSearch(tiger, GAMMA, width == 0);
+        double[] q = new double[mdp.acts().size()];
+        new handover.solver.SparseSampling<>(mdp, Math.max(1, width), false)
+                .values(mdp.belief(new double[] {p, 1 - p}), horizon, 7, Deadline.NONE, q);
+        return q;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.5,1", "0.5,2", "0.5,3", "0.5,5", "0.85,4", "0.03,4", "0.9697,3", "1,3"})
+    void weighingAllObservationsGivesTheExactValues(double p, int horizon) {
+        double[] exact = {q(p, 0, horizon), q(p, 1, horizon), q(p, LISTEN, horizon)};
+        assertArrayEquals(exact, poss(p, horizon, 0), 1e-9);
+    }
+
+    /** The bias of the maximum over sampled values shrinks with C; at C = 400 and H = 3 it is far below 0.5. */
+    @Test
+    void sampledValuesApproachTheExactOnesAsTheWidthGrows() {
+        double[] exact = {q(0.5, 0, 3), q(0.5, 1, 3), q(0.5, LISTEN, 3)};
+        double coarse = Math.abs(poss(0.5, 3, 3)[LISTEN] - exact[LISTEN]);
+        double[] fine = poss(0.5, 3, 400);
+        assertArrayEquals(exact, fine, 0.5);
+        assertEquals(true, Math.abs(fine[LISTEN] - exact[LISTEN]) <= coarse + 0.1, "C=3 was off by " + coarse);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.5,1", "0.5,2", "0.5,3"})
+    void equalsBurlapsSparseSamplingWithFullEnumeration(double p, int horizon) {
+        SADomain beliefs = new BeliefMDPGenerator(tiger).generateDomain();
+        SparseSampling burlap = new SparseSampling(beliefs, GAMMA, new ReflectiveHashableStateFactory(), horizon, -1);
+        burlap.toggleDebugPrinting(false);
+        TabularBeliefState root = new TabularBeliefState(tiger, tiger.getStateEnumerator());
+        root.setBelief(0, p);
+        root.setBelief(1, 1 - p);
+        List<QValue> values = burlap.qValues(root);
+        assertArrayEquals(values.stream().mapToDouble(q -> q.q).toArray(), poss(p, horizon, 0), 1e-9);
+    }
+}
