@@ -28,6 +28,7 @@ public class HandoverDomain implements DomainGenerator {
     private final AngularGaussian pointing;
     private final MatchScore matchScore;
     private final double matchWeight;
+    private final double tauHuman;
     private final List<ActType> types;
     private final ActModel idle;
     private final Scene start;
@@ -39,6 +40,7 @@ public class HandoverDomain implements DomainGenerator {
         this.pointing = new AngularGaussian(spec.gesture().variance(), spec.gesture().outliers());
         this.matchScore = spec.rewards().matchScore();
         this.matchWeight = spec.rewards().matchWeight();
+        this.tauHuman = spec.tauHuman();
         this.types = List.copyOf(actTypes());
         ActType wait = new WaitType(spec.act("wait"));
         this.idle = new ActModel(0, Act.WAIT, wait, new double[0], null, -1, "");
@@ -68,19 +70,11 @@ public class HandoverDomain implements DomainGenerator {
     /**
      * U(h, a), the human's belief after an act (MODEL 3.2).
      *
-     * @param h before, not modified; may be the same array as {@code out}
-     * @param out after; modified
+     * @param h before, not modified
+     * @param out after; another array than {@code h}; modified
      */
     public void understand(ActModel act, double[] h, double[] out, int n) {
-        Simplex.propagate(spec.tauHuman(), h, out, n);
-        double[] lambda = act.lambda();
-        double z = 0;
-        for (int i = 0; i < n; i++) {
-            z += lambda[i] * out[i];
-        }
-        for (int i = 0; i < n && z > 0; i++) {
-            out[i] = lambda[i] * out[i] / z;
-        }
+        Simplex.update(tauHuman, h, act.lambda(), out, n);
     }
 
     /** The price of an act, with annoyance: what does not depend on any belief and does not complete a pick (MODEL 6). */

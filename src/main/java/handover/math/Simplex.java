@@ -39,8 +39,38 @@ public final class Simplex {
         }
         double move = (1 - stay) / (n - 1);
         for (int i = 0; i < n; i++) {
-            out[i] = stay * p[i] + move * (1 - p[i]);
+            out[i] = moved(stay, move, p[i]);
         }
+    }
+
+    /**
+     * One step of T_stay and then Bayes' rule: out proportional to likelihood * (T p), or T p if that is 0 everywhere.
+     *
+     * @param p distribution (sums to one), not modified
+     * @param likelihood not modified
+     * @param out another array than {@code p}; modified
+     */
+    public static void update(double stay, double[] p, double[] likelihood, double[] out, int n) {
+        double move = n == 1 ? 0 : (1 - stay) / (n - 1);
+        double z = 0;
+        for (int i = 0; i < n; i++) {
+            double v = likelihood[i] * (n == 1 ? p[i] : moved(stay, move, p[i]));
+            out[i] = v;
+            z += v;
+        }
+        if (z > 0) {
+            double scale = 1 / z;
+            for (int i = 0; i < n; i++) {
+                out[i] *= scale;
+            }
+        } else {
+            propagate(stay, p, out, n);
+        }
+    }
+
+    /** What has probability {@code p} after one step in which everything else may become it. */
+    private static double moved(double stay, double move, double p) {
+        return stay * p + move * (1 - p);
     }
 
     /** Sum of the first {@code n} entries. */
@@ -110,14 +140,14 @@ public final class Simplex {
         return best;
     }
 
-    /** An index drawn with probability proportional to {@code p}; never one with p = 0. */
+    /** An index drawn from the distribution {@code p}; never one with p = 0. */
     public static int sample(double[] p, int n, RandomGenerator random) {
         return quantile(p, n, random.nextDouble());
     }
 
-    /** The index at share {@code level} (in [0, 1)) of the cumulative sums of {@code p}; never one with p = 0. */
+    /** The index at {@code level} (in [0, 1)) of the cumulative sums of the distribution {@code p}; never one with p = 0. */
     public static int quantile(double[] p, int n, double level) {
-        double u = level * sum(p, n);
+        double u = level;
         int last = -1;
         for (int i = 0; i < n; i++) {
             if (p[i] > 0) {

@@ -18,7 +18,7 @@ import handover.math.Simplex;
  */
 final class AskInTurn {
     /** What is left of the path when it is not worth following. */
-    private static final double NEGLIGIBLE = 1e-2;
+    private static final double NEGLIGIBLE = 0.02;
 
     private final HandoverDomain domain;
     private final int n;

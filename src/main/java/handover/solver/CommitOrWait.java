@@ -29,6 +29,7 @@ final class CommitOrWait {
     private final double afterHandover;
     private final double[][] rest;
     private final double[] human;
+    private final double[] otherHuman;
     /** At most paid for one increment of a pick, and for all of them. */
     private final double pricePerIncrement;
     private final double pricePerPick;
@@ -47,6 +48,7 @@ final class CommitOrWait {
         this.afterHandover = n == 1 ? 0 : waiting(domain.matchReward(fresh, fresh, n - 1));
         this.rest = new double[MOST_PICKS][n];
         this.human = new double[n];
+        this.otherHuman = new double[n];
         this.asking = new AskInTurn(scene);
         double gamma = domain.discount();
         this.pricePerIncrement = scene.acts().get(picks[0]).type().parameters().reward() + domain.matchBound();
@@ -115,10 +117,11 @@ final class CommitOrWait {
         double[] expected = h;
         while (true) {
             ActEffect effect = task.effect(picks[x]);
-            domain.understand(effect.model(), expected, human, n);
-            value += discount * (effect.reward() + domain.matchReward(b, human, n));
+            double[] next = expected == human ? otherHuman : human;
+            domain.understand(effect.model(), expected, next, n);
+            value += discount * (effect.reward() + domain.matchReward(b, next, n));
             task = effect.during();
-            expected = human;
+            expected = next;
             if (effect.completes()) {
                 return value + discount * (search.pickReward(b[x])
                         + domain.discount() * later(b[x], task, afterRejection));
@@ -170,22 +173,31 @@ final class CommitOrWait {
         return Math.max(asking(node), Math.max(waiting(domain.matchBound()), commitBound(node)));
     }
 
-    /** On {@link #afterPick}. */
-    double mostAfterPick() {
+    /** On {@link #afterPick} of an object that is wanted with probability {@code right}. */
+    double mostAfterPick(double right) {
         double handedOver = Math.max(0, pricePerIncrement) + Math.max(0, domain.pickReward(true)) + Math.max(0, afterHandover);
-        return Math.max(handedOver, Math.max(0, waiting(domain.matchBound())));
+        return right * Math.max(0, afterHandover)
+                + (1 - right) * Math.max(handedOver, Math.max(0, waiting(domain.matchBound())));
     }
 
+    /** On handing over the likeliest object now; as tight as it needs to be to tell whether that can beat asking. */
     private double commitBound(HandoverSearch.Node node) {
         HandoverSearch.Belief b = node.b;
         if (Double.isNaN(b.commitBound)) {
             int x = b.likeliest();
             double right = b.p[x];
-            Task picking = node.task.effect(picks[x]).during();
-            double outcome = search.pickReward(right) + domain.discount()
-                    * later(right, picking, right < 1 ? afterRejection(b, x, picking) : 0);
-            b.commitBound = pricePerPick + lastDiscount * outcome;
+            b.commitBound = commitBound(search.pickReward(right) + domain.discount() * mostAfterPick(right));
+            if (b.commitBound > asking(node)) {
+                Task picking = node.task.effect(picks[x]).during();
+                double afterRejection = right < 1 ? afterRejection(b, x, picking) : 0;
+                b.commitBound = commitBound(search.pickReward(right)
+                        + domain.discount() * later(right, picking, afterRejection));
+            }
         }
         return b.commitBound;
+    }
+
+    private double commitBound(double outcome) {
+        return pricePerPick + lastDiscount * outcome;
     }
 }

@@ -30,8 +30,8 @@ final class Evidence {
         }
     }
 
-    /** p(gesture | j) for each j, of a gesture that means object {@code i}; not to be modified. */
-    double[] gesture(int i, RandomGenerator random) {
-        return likelihoods[i][(int) (random.nextDouble() * likelihoods[i].length)];
+    /** p(gesture | j) for each j, of the gesture at {@code u} in [0, 1) of those that mean object {@code i}; not to be modified. */
+    double[] gesture(int i, double u) {
+        return likelihoods[i][(int) (u * likelihoods[i].length)];
     }
 }

@@ -262,9 +262,9 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         next.expectations = outcome.expectations;
         next.effect = outcome.effect;
         next.task = answer(outcome, i, random.nextDouble(), b);
-        double[] gesture = evidence(outcome.task.scene()).gesture(i, random);
+        double which = random.nextDouble();
         if (random.nextDouble() < outcome.effect.model().type().parameters().gestureRate()) {
-            multiply(b, gesture, n);
+            multiply(b, evidence(outcome.task.scene()).gesture(i, which), n);
         }
         speech(outcome, i, random, b);
         Simplex.normalise(b, n);
@@ -324,7 +324,7 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         if (effect.completes()) {
             double right = node.b.p[effect.model().target()];
             return domain.spec().tau() < 1 ? Double.POSITIVE_INFINITY
-                    : reward + pickReward(right) + domain.discount() * node.policy.mostAfterPick();
+                    : reward + pickReward(right) + domain.discount() * node.policy.mostAfterPick(right);
         }
         return reward + domain.discount() * node.policy.upperBound(node, effect);
     }
