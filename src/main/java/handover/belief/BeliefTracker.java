@@ -55,12 +55,13 @@ public record BeliefTracker(HandoverBelief now, HandoverBelief before, List<Unar
     public BeliefTracker completed(Act done, PickSignal signal) {
         BeliefTracker t = done.equals(act) ? this : started(done);
         boolean decided = signal == PickSignal.ACCEPTED || signal == PickSignal.REJECTED;
-        if (t.now.pickPending() && !decided) {
+        HandoverBelief moved = signal == PickSignal.NONE ? t.now.stalled() : t.now;
+        if (moved.pickPending() && !decided) {
             throw new IllegalArgumentException("expected accepted or rejected, because this completes the pick of "
                     + t.now.task().target());
         }
-        boolean picks = decided && t.now.task().target() != null;
-        HandoverBelief belief = picks ? t.now.picked(signal == PickSignal.ACCEPTED) : t.now;
+        boolean picks = decided && moved.task().target() != null;
+        HandoverBelief belief = picks ? moved.picked(signal == PickSignal.ACCEPTED) : moved;
         return new BeliefTracker(belief, belief, List.of(), null);
     }
 

@@ -130,8 +130,8 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
      * Throws {@link IllegalArgumentException} if a pick completes but the observation does not say how.
      */
     public HandoverBelief given(Observation o) {
-        HandoverBelief b = this;
-        if (pickPending()) {
+        HandoverBelief b = o.signal() == PickSignal.NONE ? stalled() : this;
+        if (b.pickPending()) {
             if (o.signal() != PickSignal.ACCEPTED && o.signal() != PickSignal.REJECTED) {
                 throw new IllegalArgumentException("the pick of " + task.target()
                         + " completes in this step: expected the signal ACCEPTED or REJECTED, got " + o.signal());
@@ -193,6 +193,12 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
         }
         return new HandoverBelief(next, log(after), Simplex.uniform(n), n == 0 ? null : step.once(next),
                 sensed.with(false, false, !possible));
+    }
+
+    /** The increment under way did not advance; does nothing if every increment surely does. */
+    public HandoverBelief stalled() {
+        ActEffect other = step == null ? null : step.stalled();
+        return other == null ? this : new HandoverBelief(other.during(), log, human, other, sensed);
     }
 
     /** Gives up the pick under way; what the human saw of it stays. */

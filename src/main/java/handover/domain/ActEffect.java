@@ -11,14 +11,16 @@ package handover.domain;
  * @param reference what content words are said in contrast to, null if nothing is open
  * @param yes P(yes | i)
  * @param no P(no | i)
+ * @param advance the probability of this effect; 1 unless the act is an increment that may not advance
+ * @param stalled the effect if the increment does not advance, null if it surely does
  */
 public record ActEffect(ActModel model, Task during, double reward, boolean completes, ActModel reference, double[] yes,
-        double[] no) {
+        double[] no, double advance, ActEffect stalled) {
 
     /** The rest of the step once the pick completed and the table is as in {@code after}: nobody answers. */
     public ActEffect once(Task after) {
         double[] never = new double[after.scene().size()];
-        return new ActEffect(model, after, reward, completes, null, never, never);
+        return new ActEffect(model, after, reward, completes, null, never, never, 1, null);
     }
 
     /** P(answer | i). */

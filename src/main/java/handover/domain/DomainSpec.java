@@ -17,6 +17,7 @@ import java.util.function.Consumer;
  *
  * @param name of the domain
  * @param description one line for people
+ * @param variant name of a shipped variant, or of a class that extends {@link HandoverDomain}
  * @param objects on the table at the start, at least one
  * @param prior b_0, object name to probability, summing to 1; empty for uniform
  * @param pointingOrigin where the robot points and looks from, metres
@@ -30,12 +31,17 @@ import java.util.function.Consumer;
  * @param speech how people speak
  * @param gesture how people point
  * @param rewards what is paid
+ * @param pick of the variants with incremental picks
+ * @param communicated of the variants in which the human's expectation is a hidden object
  * @param acts verb in lower case to the parameters of that type of act
  */
-public record DomainSpec(String name, String description, List<TableObject> objects, Map<String, Double> prior,
+public record DomainSpec(String name, String description, String variant, List<TableObject> objects, Map<String, Double> prior,
         Vector3 pointingOrigin, Vector3 shoulder, double tau, double tauHuman, int handovers, WrongPick wrongPick,
         AskParameters ask, Understanding understanding, SpeechParameters speech, GestureParameters gesture,
-        Rewards rewards, Map<String, ActParameters> acts) {
+        Rewards rewards, PickParameters pick, CommunicatedParameters communicated, Map<String, ActParameters> acts) {
+    /** The variant of the base domain. */
+    public static final String BASE = "base";
+
     private static final double ROUNDING = 1e-6;
 
     /** Checks every field and how they go together; throws {@link InvalidParameterException}. */
@@ -44,6 +50,9 @@ public record DomainSpec(String name, String description, List<TableObject> obje
             throw new InvalidParameterException("name", name, "the domain's name");
         }
         description = description == null ? "" : description;
+        if (variant == null || variant.isBlank()) {
+            throw new InvalidParameterException("variant", variant, "a variant of the domain");
+        }
         Check.position("pointing_origin", pointingOrigin);
         Check.position("shoulder", shoulder);
         objects = List.copyOf(Check.present("objects", objects, "a list of objects"));
@@ -61,6 +70,8 @@ public record DomainSpec(String name, String description, List<TableObject> obje
         Check.present("speech", speech, "an object");
         Check.present("gesture", gesture, "an object");
         Check.present("rewards", rewards, "an object");
+        Check.present("pick", pick, "an object");
+        Check.present("communicated", communicated, "an object");
         acts = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("acts", acts, "an object")));
         acts.forEach((verb, parameters) -> Check.present("acts." + verb, parameters, "an object"));
         checkWords(objects, speech);
@@ -74,26 +85,29 @@ public record DomainSpec(String name, String description, List<TableObject> obje
         acts.put("point", new ActParameters(-1.8, 2, 0.5, 0.3, 0.9, 0.9));
         acts.put("ask", new ActParameters(-2.5, 2.5, 0.5, 0.3, 0.95, 0.95));
         acts.put("pick", new ActParameters(-1, 4, 0.5, 0.3, 0.1, 0.7));
-        return new DomainSpec(name, "", objects, Map.of(), new Vector3(0, 0, 0.3), new Vector3(0.15, 1.4, 0.35),
+        return new DomainSpec(name, "", BASE, objects, Map.of(), new Vector3(0, 0, 0.3), new Vector3(0.15, 1.4, 0.35),
                 1, 0.95, 1, WrongPick.RETURNED, new AskParameters(AskSets.SINGLETONS),
                 new Understanding(0.1, 0.162, 0.01),
                 new SpeechParameters(0.2, 0.05, 0, 0, 0.01, List.of(0.5, 0.3, 0.2)),
                 new GestureParameters(0.04, 0.05),
-                new Rewards(50, -150, -2, 1, MatchScore.BRIER, 0.95), acts);
+                new Rewards(50, -150, -2, 1, MatchScore.BRIER, 0.95), new PickParameters(3, 1),
+                new CommunicatedParameters(3, MatchScore.LINEAR), acts);
     }
 
     /** A copy with some fields changed: {@code spec.with(s -> s.tau = 0.9)}; checked like any other. */
     public DomainSpec with(Consumer<Fields> change) {
         Fields f = new Fields(this);
         change.accept(f);
-        return new DomainSpec(f.name, f.description, f.objects, f.prior, f.pointingOrigin, f.shoulder, f.tau, f.tauHuman,
-                f.handovers, f.wrongPick, f.ask, f.understanding, f.speech, f.gesture, f.rewards, f.acts);
+        return new DomainSpec(f.name, f.description, f.variant, f.objects, f.prior, f.pointingOrigin, f.shoulder, f.tau, f.tauHuman,
+                f.handovers, f.wrongPick, f.ask, f.understanding, f.speech, f.gesture, f.rewards, f.pick,
+                f.communicated, f.acts);
     }
 
     /** The fields of a spec under change; see {@link DomainSpec} for what each means. Not thread safe. */
     public static final class Fields {
         public String name;
         public String description;
+        public String variant;
         public List<TableObject> objects;
         public Map<String, Double> prior;
         public Vector3 pointingOrigin;
@@ -107,12 +121,15 @@ public record DomainSpec(String name, String description, List<TableObject> obje
         public SpeechParameters speech;
         public GestureParameters gesture;
         public Rewards rewards;
+        public PickParameters pick;
+        public CommunicatedParameters communicated;
         /** Modifiable copy. */
         public Map<String, ActParameters> acts;
 
         private Fields(DomainSpec s) {
             name = s.name;
             description = s.description;
+            variant = s.variant;
             objects = s.objects;
             prior = s.prior;
             pointingOrigin = s.pointingOrigin;
@@ -126,6 +143,8 @@ public record DomainSpec(String name, String description, List<TableObject> obje
             speech = s.speech;
             gesture = s.gesture;
             rewards = s.rewards;
+            pick = s.pick;
+            communicated = s.communicated;
             acts = new LinkedHashMap<>(s.acts);
         }
     }

@@ -29,6 +29,7 @@ public class HandoverDomain implements DomainGenerator {
     private final MatchScore matchScore;
     private final double matchWeight;
     private final double tauHuman;
+    private final PickRule pickRule;
     private final List<ActType> types;
     private final ActModel idle;
     private final Scene start;
@@ -41,6 +42,7 @@ public class HandoverDomain implements DomainGenerator {
         this.matchScore = spec.rewards().matchScore();
         this.matchWeight = spec.rewards().matchWeight();
         this.tauHuman = spec.tauHuman();
+        this.pickRule = createPickRule();
         this.types = List.copyOf(actTypes());
         ActType wait = new WaitType(spec.act("wait"));
         this.idle = new ActModel(0, Act.WAIT, wait, new double[0], null, -1, "");
@@ -62,9 +64,9 @@ public class HandoverDomain implements DomainGenerator {
         return all;
     }
 
-    /** K, how often a pick must be chosen before it completes (MODEL 5). */
-    public int increments() {
-        return 1;
+    /** How a pick goes on (MODEL 5). Called once, from the constructor, like {@link #actTypes()}. */
+    protected PickRule createPickRule() {
+        return PickRule.IMMEDIATE;
     }
 
     /**
@@ -111,7 +113,7 @@ public class HandoverDomain implements DomainGenerator {
     /** How long one act of this type takes, in seconds (MODEL 9); of a pick, one increment. */
     public double seconds(ActType type) {
         double whole = type.parameters().duration();
-        return type.verb().equals(PickType.VERB) ? whole / increments() : whole;
+        return type.verb().equals(PickType.VERB) ? whole / pickRule.increments() : whole;
     }
 
     /**
@@ -148,6 +150,11 @@ public class HandoverDomain implements DomainGenerator {
 
     public final List<ActType> types() {
         return types;
+    }
+
+    /** How a pick goes on. */
+    public final PickRule pickRule() {
+        return pickRule;
     }
 
     /** gamma. */
@@ -205,16 +212,25 @@ public class HandoverDomain implements DomainGenerator {
     }
 
     ActEffect effect(Task before, ActModel act) {
-        Act reference = act.isPick() ? null : act.isCommunicative() ? act.act() : before.openReference();
-        boolean onward = act.isPick() && act.act().objects().get(0).equals(before.target())
-                && before.progress() < increments();
-        int progress = act.isPick() ? onward ? before.progress() + 1 : 1 : 0;
-        boolean completes = progress == increments();
-        Task during = before.with(new Task.Key(reference, Answer.NONE,
-                act.isPick() ? act.act().objects().get(0) : null, progress,
-                act.isPick() && !completes ? PickSignal.MOVING : PickSignal.NONE, before.handovers(), false));
-        ActModel open = reference == null ? null : before.scene().model(reference);
-        double[] match = act.isPick() ? act.match() : open == null ? null : open.match();
+        if (!act.isPick()) {
+            Act reference = act.isCommunicative() ? act.act() : before.openReference();
+            ActModel open = reference == null ? null : before.scene().model(reference);
+            return effect(before, act, null, 0, open, open == null ? null : open.match(), null);
+        }
+        String target = act.act().objects().get(0);
+        boolean onward = target.equals(before.target()) && before.progress() < pickRule.increments();
+        int progress = onward ? before.progress() : 0;
+        ActEffect stalled = pickRule.advance() == 1 ? null
+                : effect(before, act, target, progress, null, act.match(), null);
+        return effect(before, act, target, progress + 1, null, act.match(), stalled);
+    }
+
+    private ActEffect effect(Task before, ActModel act, String target, int progress, ActModel open, double[] match,
+            ActEffect stalled) {
+        boolean completes = progress == pickRule.increments();
+        boolean moves = progress > 0 && !completes && (pickRule.advance() == 1 || stalled != null);
+        Task during = before.with(new Task.Key(open == null ? null : open.act(), Answer.NONE, target, progress,
+                moves ? PickSignal.MOVING : PickSignal.NONE, before.handovers(), false));
         int n = before.scene().size();
         double[] yes = new double[n];
         double[] no = new double[n];
@@ -222,7 +238,8 @@ public class HandoverDomain implements DomainGenerator {
             yes[i] = answerProbability(Answer.YES, act.type(), match[i]);
             no[i] = answerProbability(Answer.NO, act.type(), match[i]);
         }
-        return new ActEffect(act, during, actReward(before, act), completes, open, yes, no);
+        return new ActEffect(act, during, actReward(before, act), completes, open, yes, no,
+                stalled == null ? 1 : pickRule.advance(), stalled);
     }
 
     // ---- BURLAP --------------------------------------------------------------------------------------------------

@@ -25,6 +25,17 @@ public final class HandoverModel implements FullModel {
         this.random = random;
     }
 
+    /**
+     * What an act may lead to.
+     *
+     * @param p its probability
+     * @param wanted omega when the act takes effect
+     * @param human h' after the act, before a completed pick restarts it
+     * @param next the state after it
+     * @param reward without the match part
+     */
+    record Outcome(double p, int wanted, double[] human, HandoverState next, double reward) {}
+
     /** All outcomes of positive probability; throws {@link IllegalArgumentException} if the act is not legal. */
     @Override
     public List<TransitionProb> transitions(State s, Action a) {
@@ -32,27 +43,44 @@ public final class HandoverModel implements FullModel {
         if (state.task().done()) {
             return List.of(new TransitionProb(1, new EnvironmentOutcome(s, a, s, 0, true)));
         }
-        ActEffect effect = state.task().effect((Act) a);
-        double[] human = domain.understood(effect.model(), state.human());
-        int n = human.length;
-        double[] wanted = Simplex.vertex(n, state.wanted());
-        Simplex.propagate(domain.spec().tau(), wanted, wanted, n);
-        List<TransitionProb> all = new ArrayList<>();
-        for (int i = 0; i < n; i++) {
+        return outcomes(state, (Act) a).stream().map(o -> new TransitionProb(o.p, result(s, a, o))).toList();
+    }
+
+    private EnvironmentOutcome result(State s, Action a, Outcome o) {
+        int n = o.human.length;
+        double match = domain.beliefDependentReward() ? 0
+                : domain.matchReward(Simplex.vertex(n, o.wanted), o.human, n);
+        return new EnvironmentOutcome(s, a, o.next, o.reward + match, o.next.task().done());
+    }
+
+    List<Outcome> outcomes(HandoverState s, Act act) {
+        ActEffect effect = s.task().effect(act);
+        double[] human = domain.understood(effect.model(), s.human());
+        double[] wanted = moved(s);
+        List<Outcome> all = new ArrayList<>();
+        for (int i = 0; i < wanted.length; i++) {
             if (wanted[i] > 0) {
-                addOutcomes(state, a, effect, i, human, wanted[i], all);
+                addOutcomes(effect, i, human, wanted[i] * effect.advance(), all);
+                if (effect.stalled() != null) {
+                    addOutcomes(effect.stalled(), i, human, wanted[i] * (1 - effect.advance()), all);
+                }
             }
         }
         return all;
     }
 
-    private void addOutcomes(HandoverState s, Action a, ActEffect effect, int i, double[] human, double p,
-            List<TransitionProb> all) {
+    private double[] moved(HandoverState s) {
+        double[] wanted = Simplex.vertex(s.human().length, s.wanted());
+        Simplex.propagate(domain.spec().tau(), wanted, wanted, wanted.length);
+        return wanted;
+    }
+
+    private void addOutcomes(ActEffect effect, int i, double[] human, double p, List<Outcome> all) {
         if (!effect.completes()) {
             for (Answer answer : Answer.values()) {
                 double q = effect.answerProbability(answer, i);
                 if (q > 0) {
-                    all.add(new TransitionProb(p * q, outcome(s, a, effect, i, human, answer, 0)));
+                    all.add(answered(effect, i, human, answer, p * q));
                 }
             }
             return;
@@ -60,28 +88,24 @@ public final class HandoverModel implements FullModel {
         double[] wishes = wishesAfter(effect, i);
         for (int j = 0; j < wishes.length; j++) {
             if (wishes[j] > 0) {
-                all.add(new TransitionProb(p * wishes[j], outcome(s, a, effect, i, human, Answer.NONE, j)));
+                all.add(completed(effect, i, human, j, p * wishes[j]));
             }
         }
         if (wishes.length == 0) {
-            all.add(new TransitionProb(p, outcome(s, a, effect, i, human, Answer.NONE, -1)));
+            all.add(completed(effect, i, human, -1, p));
         }
     }
 
-    /** What follows once it is settled what the human wanted, and what they answer or, after a pick, wish next. */
-    private EnvironmentOutcome outcome(HandoverState s, Action a, ActEffect effect, int wanted, double[] human,
-            Answer answer, int wish) {
-        int n = human.length;
-        double reward = effect.reward()
-                + (domain.beliefDependentReward() ? 0 : domain.matchReward(Simplex.vertex(n, wanted), human, n));
-        if (!effect.completes()) {
-            HandoverState next = new HandoverState(wanted, effect.during().answered(answer), human);
-            return new EnvironmentOutcome(s, a, next, reward, false);
-        }
+    private static Outcome answered(ActEffect effect, int wanted, double[] human, Answer answer, double p) {
+        HandoverState next = new HandoverState(wanted, effect.during().answered(answer), human);
+        return new Outcome(p, wanted, human, next, effect.reward());
+    }
+
+    private Outcome completed(ActEffect effect, int wanted, double[] human, int wish, double p) {
         boolean right = effect.model().target() == wanted;
         Task task = effect.during().completed(right);
         HandoverState next = new HandoverState(wish, task, Simplex.uniform(task.scene().size()));
-        return new EnvironmentOutcome(s, a, next, reward + domain.pickReward(right), task.done());
+        return new Outcome(p, wanted, human, next, effect.reward() + domain.pickReward(right));
     }
 
     /** What the human wants once the pick completed: a new wish, or what they wanted all the time. */
@@ -103,7 +127,7 @@ public final class HandoverModel implements FullModel {
     /**
      * A next state.
      *
-     * @param nature draws what the human wants
+     * @param nature draws what the human wants, and whether an increment advances
      * @param human draws whether they answer
      */
     public EnvironmentOutcome sample(State s, Action a, RandomGenerator nature, RandomGenerator human) {
@@ -111,17 +135,21 @@ public final class HandoverModel implements FullModel {
         if (state.task().done()) {
             return new EnvironmentOutcome(s, a, s, 0, true);
         }
-        ActEffect effect = state.task().effect((Act) a);
-        double[] h = domain.understood(effect.model(), state.human());
-        int n = h.length;
-        double[] wanted = Simplex.vertex(n, state.wanted());
-        Simplex.propagate(domain.spec().tau(), wanted, wanted, n);
-        int i = Simplex.sample(wanted, n, nature);
+        return result(s, a, draw(state, (Act) a, nature, human));
+    }
+
+    Outcome draw(HandoverState s, Act act, RandomGenerator nature, RandomGenerator human) {
+        ActEffect effect = s.task().effect(act);
+        double[] h = domain.understood(effect.model(), s.human());
+        int i = Simplex.sample(moved(s), h.length, nature);
+        if (effect.stalled() != null && nature.nextDouble() >= effect.advance()) {
+            effect = effect.stalled();
+        }
         if (!effect.completes()) {
-            return outcome(state, a, effect, i, h, HumanModel.answer(effect, i, human.nextDouble()), 0);
+            return answered(effect, i, h, HumanModel.answer(effect, i, human.nextDouble()), 1);
         }
         double[] wishes = wishesAfter(effect, i);
-        return outcome(state, a, effect, i, h, Answer.NONE, Simplex.sample(wishes, wishes.length, nature));
+        return completed(effect, i, h, Simplex.sample(wishes, wishes.length, nature), 1);
     }
 
     @Override

@@ -41,6 +41,9 @@ public final class HandoverState implements OOState, HashableState {
         if (s instanceof HandoverState h) {
             return h.task;
         }
+        if (s instanceof CommunicatedState c) {
+            return c.base().task;
+        }
         if (s instanceof EnumerableBeliefState b) {
             return taskOf(b.nonZeroBeliefs().get(0).s);
         }
@@ -73,6 +76,11 @@ public final class HandoverState implements OOState, HashableState {
 
     @Override
     public List<ObjectInstance> objects() {
+        return objects(null, null);
+    }
+
+    /** The objects, the task with one more attribute unless {@code key} is null. */
+    List<ObjectInstance> objects(String key, Object value) {
         List<ObjectInstance> all = new ArrayList<>();
         for (int i = 0; i < human.length; i++) {
             TableObject o = task.scene().objects().get(i);
@@ -92,6 +100,9 @@ public final class HandoverState implements OOState, HashableState {
         values.put("signal", task.signal());
         values.put("handovers", task.handovers());
         values.put("done", task.done());
+        if (key != null) {
+            values.put(key, value);
+        }
         all.add(new Instance(CLASS_TASK, CLASS_TASK, values));
         return all;
     }

@@ -34,4 +34,9 @@ public record SpeechParameters(double alpha, double negationFactor, double contr
         }
         wordCounts = List.copyOf(wordCounts);
     }
+
+    /** The same people with another surprise. */
+    public SpeechParameters withSurprise(double other) {
+        return new SpeechParameters(alpha, negationFactor, contrast, other, answerError, wordCounts);
+    }
 }

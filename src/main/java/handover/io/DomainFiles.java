@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import handover.domain.ActParameters;
 import handover.domain.DomainSpec;
+import handover.domain.HandoverDomain;
 import handover.domain.TableObject;
 import handover.math.Vector3;
 import java.nio.charset.StandardCharsets;
@@ -23,7 +24,6 @@ import java.util.regex.Pattern;
  */
 public final class DomainFiles {
     private static final Shape SHAPE = new Shape("a domain file");
-    private static final ObjectNode DEFAULTS = defaults();
     private static final Pattern VERB = Pattern.compile("[a-z][a-z0-9_]*");
     private static final int HASH_DIGITS = 16;
 
@@ -64,9 +64,10 @@ public final class DomainFiles {
     public static DomainSpec fromJson(JsonNode json, String source) {
         Place file = Place.of(source);
         ObjectNode user = Shape.root(json, file);
-        user.path("acts").properties().forEach(
-                act -> checkNewAct(act.getKey(), act.getValue(), file.key("acts").key(act.getKey())));
-        ObjectNode whole = Overlay.merge(DEFAULTS, user);
+        ObjectNode defaults = defaults(user.path("variant").asText(DomainSpec.BASE), file);
+        user.path("acts").properties().forEach(act -> checkNewAct(act.getKey(), act.getValue(), defaults.get("acts"),
+                file.key("acts").key(act.getKey())));
+        ObjectNode whole = Overlay.merge(defaults, user);
         whole.path("objects").forEach(DomainFiles::addDefaultLabel);
         SHAPE.check(whole, DomainSpec.class, file);
         return RecordMapper.bind(whole, DomainSpec.class, file);
@@ -93,10 +94,24 @@ public final class DomainFiles {
         }
     }
 
-    /** {@link DomainSpec#of} as a tree, without what it was given. */
-    private static ObjectNode defaults() {
-        TableObject any = new TableObject("any", new Vector3(0, 1, 0), Map.of(), "");
-        ObjectNode tree = RecordMapper.tree(DomainSpec.of("any", List.of(any)));
+    /**
+     * Reads a domain and makes it: an instance of the variant that it names.
+     *
+     * @throws DomainFileException as {@link #read}, or if the variant cannot be made
+     */
+    public static HandoverDomain load(String nameOrPath) {
+        return domain(read(nameOrPath));
+    }
+
+    /** The domain that a spec describes. Throws {@link DomainFileException} if its variant cannot be made. */
+    public static HandoverDomain domain(DomainSpec spec) {
+        return Variants.create(spec, Place.of(spec.name()));
+    }
+
+    /** {@link DomainSpec#of} as this variant changes it, as a tree, without what it was given. */
+    private static ObjectNode defaults(String variant, Place file) {
+        TableObject any = new TableObject("any", new Vector3(0, 1, 0), Map.of("any", 1.0), "");
+        ObjectNode tree = RecordMapper.tree(Variants.defaults(variant, DomainSpec.of("any", List.of(any)), file));
         tree.remove(List.of("name", "objects"));
         return tree;
     }
@@ -109,15 +124,15 @@ public final class DomainFiles {
     }
 
     /** An act that the defaults do not have must be given in full, so that a mistyped verb is not taken for one. */
-    private static void checkNewAct(String verb, JsonNode act, Place at) {
+    private static void checkNewAct(String verb, JsonNode act, JsonNode defaults, Place at) {
         if (!VERB.matcher(verb).matches()) {
             throw at.error("expected the name of a type of act in lower case, got \"" + verb + "\"");
         }
         List<String> missing = new ArrayList<>(Shape.fields(ActParameters.class).keySet());
         act.fieldNames().forEachRemaining(missing::remove);
-        if (!DEFAULTS.get("acts").has(verb) && act.isObject() && !missing.isEmpty()) {
+        if (!defaults.has(verb) && act.isObject() && !missing.isEmpty()) {
             List<String> known = new ArrayList<>();
-            DEFAULTS.get("acts").fieldNames().forEachRemaining(known::add);
+            defaults.fieldNames().forEachRemaining(known::add);
             throw at.error("unknown act" + NearestKey.suggestion(verb, known) + "; a new act must also give "
                     + String.join(", ", missing));
         }

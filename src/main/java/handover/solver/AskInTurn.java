@@ -44,8 +44,8 @@ final class AskInTurn {
         posterior = new double[n];
         double gamma = domain.discount();
         double price = scene.model(Act.of(PickType.VERB, scene.objects().get(0).name())).type().parameters().reward();
-        pickPrice = price * (1 - Math.pow(gamma, domain.increments())) / (1 - gamma);
-        lastDiscount = Math.pow(gamma, domain.increments() - 1);
+        pickPrice = price * PickPrice.prices(domain.pickRule(), gamma);
+        lastDiscount = PickPrice.outcome(domain.pickRule(), gamma);
     }
 
     /**

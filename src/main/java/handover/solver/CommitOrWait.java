@@ -33,8 +33,11 @@ final class CommitOrWait {
     /** At most paid for one increment of a pick, and for all of them. */
     private final double pricePerIncrement;
     private final double pricePerPick;
-    /** The discount of the last increment of a pick. */
+    /** The discount of a pick's outcome. */
     private final double lastDiscount;
+    private final double perIncrement;
+    private final double tries;
+    private final double onAdvance;
 
     CommitOrWait(HandoverSearch search, Scene scene) {
         this.search = search;
@@ -52,8 +55,11 @@ final class CommitOrWait {
         this.asking = new AskInTurn(scene);
         double gamma = domain.discount();
         this.pricePerIncrement = scene.acts().get(picks[0]).type().parameters().reward() + domain.matchBound();
-        this.pricePerPick = pricePerIncrement * (1 - Math.pow(gamma, domain.increments())) / (1 - gamma);
-        this.lastDiscount = Math.pow(gamma, domain.increments() - 1);
+        this.pricePerPick = pricePerIncrement * PickPrice.prices(domain.pickRule(), gamma);
+        this.lastDiscount = PickPrice.outcome(domain.pickRule(), gamma);
+        this.perIncrement = domain.pickRule().perIncrement(gamma);
+        this.tries = domain.pickRule().tries(gamma);
+        this.onAdvance = domain.pickRule().onAdvance(gamma);
     }
 
     /** What the human expects when a wish is new. */
@@ -119,14 +125,14 @@ final class CommitOrWait {
             ActEffect effect = task.effect(picks[x]);
             double[] next = expected == human ? otherHuman : human;
             domain.understand(effect.model(), expected, next, n);
-            value += discount * (effect.reward() + domain.matchReward(b, next, n));
+            value += discount * tries * (effect.reward() + domain.matchReward(b, next, n));
             task = effect.during();
             expected = next;
             if (effect.completes()) {
-                return value + discount * (search.pickReward(b[x])
+                return value + discount * onAdvance * (search.pickReward(b[x])
                         + domain.discount() * later(b[x], task, afterRejection));
             }
-            discount *= domain.discount();
+            discount *= perIncrement;
         }
     }
 

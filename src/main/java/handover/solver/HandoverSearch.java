@@ -166,7 +166,8 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         next.b = predicted(node, next.own);
         next.answerable = !effect.completes();
         next.match = domain.matchReward(next.b.p, next.h, node.n);
-        return effect.reward() + next.match + (effect.completes() ? pickReward(next.b.p[effect.model().target()]) : 0);
+        double pick = effect.completes() ? effect.advance() * pickReward(next.b.p[effect.model().target()]) : 0;
+        return effect.reward() + next.match + pick;
     }
 
     /** b after the transition of omega; without one, the node's own. */
@@ -187,22 +188,29 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
 
     @Override
     public int outcomes(Node predicted) {
-        return predicted.effect.completes() ? 2 : 1;
+        return (predicted.effect.completes() ? 2 : 1) + (predicted.effect.stalled() == null ? 0 : 1);
     }
 
+    /** In this order: what happens if the act works out (where a pick completes: accepted, rejected), then if it stalls. */
     @Override
     public double outcome(Node predicted, int k, Node next) {
-        double p = 1;
-        next.effect = predicted.effect;
+        ActEffect effect = predicted.effect;
+        next.effect = effect;
         next.answerable = predicted.answerable;
         next.n = predicted.n;
         next.task = predicted.task;
         next.policy = predicted.policy;
         next.h = predicted.h;
         next.b = predicted.b;
-        if (predicted.effect.completes()) {
-            double right = Math.min(1, predicted.b.p[predicted.effect.model().target()]);
-            p = k == 0 ? right : 1 - right;
+        double p = effect.advance();
+        if (effect.stalled() != null && k == outcomes(predicted) - 1) {
+            next.effect = effect.stalled();
+            next.task = next.effect.during();
+            next.answerable = true;
+            p = 1 - effect.advance();
+        } else if (effect.completes()) {
+            double right = Math.min(1, predicted.b.p[effect.model().target()]);
+            p *= k == 0 ? right : 1 - right;
             if (p > 0) {
                 complete(predicted, k == 0, next);
             }
@@ -314,7 +322,15 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
 
     @Override
     public double leaf(Node predicted) {
-        return predicted.effect.completes() ? predicted.policy.afterPick(predicted) : predicted.policy.value(predicted);
+        ActEffect effect = predicted.effect;
+        double onward = effect.completes() ? predicted.policy.afterPick(predicted) : predicted.policy.value(predicted);
+        if (effect.stalled() == null) {
+            return onward;
+        }
+        predicted.task = effect.stalled().during();
+        double stalled = predicted.policy.value(predicted);
+        predicted.task = effect.during();
+        return effect.advance() * onward + (1 - effect.advance()) * stalled;
     }
 
     @Override
@@ -323,7 +339,7 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         double reward = effect.reward() + domain.matchBound();
         if (effect.completes()) {
             double right = node.b.p[effect.model().target()];
-            return domain.spec().tau() < 1 ? Double.POSITIVE_INFINITY
+            return domain.spec().tau() < 1 || effect.stalled() != null ? Double.POSITIVE_INFINITY
                     : reward + pickReward(right) + domain.discount() * node.policy.mostAfterPick(right);
         }
         return reward + domain.discount() * node.policy.upperBound(node, effect);

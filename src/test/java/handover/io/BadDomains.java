@@ -12,9 +12,9 @@ final class BadDomains {
     static final String BOX = "{'name': 'box', 'position': [0.3, 0.6, 0], 'words': {'red': 1, 'box': 2}}";
     static final String GOOD = "{'name': 'x', 'objects': [" + CUP + ", " + BOX + "]}";
 
-    private static final String TOP = "; this is a domain file, which may have here name, description, objects, prior, "
+    private static final String TOP = "; this is a domain file, which may have here name, description, variant, objects, prior, "
             + "pointing_origin, shoulder, tau, tau_human, handovers, wrong_pick, ask, understanding, speech, gesture, "
-            + "rewards, acts";
+            + "rewards, pick, communicated, acts";
 
     /**
      * One bad file.

@@ -1,0 +1,87 @@
+package handover.cli;
+
+import handover.belief.HandoverBelief;
+import handover.domain.TableObject;
+import handover.io.EpisodeLogReader;
+import handover.io.LoggedEpisode;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Parameters;
+
+/** Computes the beliefs of a log again from its acts and observations, and compares them bit for bit. */
+@Command(name = "replay", description = "Compute the beliefs of a log again from what was done and sensed, and compare.")
+final class Replay implements Callable<Integer> {
+    @Parameters(paramLabel = "LOG", description = "A log of handover simulate.")
+    private Path file;
+
+    private final Console console;
+
+    Replay(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() throws IOException {
+        int episodes = 0;
+        long steps = 0;
+        try (EpisodeLogReader log = EpisodeLogReader.open(file)) {
+            HandoverBelief start = HandoverBelief.initial(log.domain());
+            for (LoggedEpisode e = log.next(); e != null; e = log.next()) {
+                String difference = difference(e, start, log);
+                if (difference != null) {
+                    console.err().println("handover: " + file + ": episode " + e.index() + " of " + e.solver() + ": "
+                            + difference);
+                    return Main.DIFFERENT;
+                }
+                episodes++;
+                steps += e.steps().size();
+            }
+            if (log.torn()) {
+                console.err().println("handover: " + file + ": the last line is torn and was skipped");
+            }
+            int all = log.header().episodes() * log.header().solvers().size();
+            console.out().println(episodes + " episodes with " + steps + " steps agree"
+                    + (episodes < all ? "; the run was to have " + all + " episodes" : ""));
+        }
+        return Main.FINE;
+    }
+
+    /** Where an episode differs from what its acts and observations lead to; null if nowhere. */
+    private static String difference(LoggedEpisode episode, HandoverBelief start, EpisodeLogReader log) {
+        HandoverBelief belief = start;
+        for (int k = 0; k < episode.steps().size(); k++) {
+            LoggedEpisode.Step step = episode.steps().get(k);
+            try {
+                belief = belief.after(step.act()).given(step.observation());
+            } catch (IllegalArgumentException e) {
+                throw log.wrong("steps[" + k + "]: " + e.getMessage());
+            }
+            String difference = difference(step, belief);
+            if (difference != null) {
+                return "step " + k + ": " + difference;
+            }
+        }
+        return null;
+    }
+
+    private static String difference(LoggedEpisode.Step step, HandoverBelief belief) {
+        List<String> onTable = belief.scene().objects().stream().map(TableObject::name).toList();
+        if (!onTable.equals(step.onTable())) {
+            return "on the table are logged " + step.onTable() + ", computed " + onTable;
+        }
+        String difference = difference("belief", onTable, step.belief(), belief.probabilities());
+        return difference != null ? difference : difference("human_belief", onTable, step.human(), belief.human());
+    }
+
+    private static String difference(String what, List<String> names, double[] logged, double[] computed) {
+        for (int i = 0; i < logged.length; i++) {
+            if (Double.doubleToLongBits(logged[i]) != Double.doubleToLongBits(computed[i])) {
+                return what + " of " + names.get(i) + ": logged " + logged[i] + ", computed " + computed[i];
+            }
+        }
+        return null;
+    }
+}

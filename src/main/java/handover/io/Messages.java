@@ -1,0 +1,133 @@
+package handover.io;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import handover.domain.PickSignal;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.BiFunction;
+import java.util.stream.Stream;
+
+/** Bytes to {@link WireMessage}s, strictly; fields that are not known are let be. Thread safe. */
+public final class Messages {
+    /** A message may have so many bytes. */
+    public static final int LARGEST = 1 << 20;
+
+    private static final int VERSION = 1;
+    /** Later than this are milliseconds taken for seconds. */
+    private static final double LATEST = 1e11;
+    private static final double ROUNDING = 1e-6;
+    private static final Map<String, BiFunction<WireMessage.Envelope, Fields, WireMessage>> TYPES = new LinkedHashMap<>();
+
+    static {
+        TYPES.put("begin", (e, f) -> new WireMessage.Begin(e, prior(f)));
+        TYPES.put("acted", Messages::acted);
+        TYPES.put("speech", Messages::speech);
+        TYPES.put("gesture", GestureFields::read);
+        TYPES.put("state", (e, f) -> new WireMessage.State(e));
+        TYPES.put("end", (e, f) -> new WireMessage.End(e));
+    }
+
+    private Messages() {}
+
+    /**
+     * Takes one message apart.
+     *
+     * @param bytes UTF-8, one JSON object
+     * @throws WireException if they are anything else; it carries the message's id where that could be read
+     */
+    public static WireMessage decode(byte[] bytes) {
+        if (bytes.length > LARGEST) {
+            throw tooLarge();
+        }
+        JsonNode tree = parse(bytes);
+        if (!tree.isObject()) {
+            throw new WireException(WireCode.NOT_JSON, "", "expected an object {...}, got " + Place.shown(tree.toString()));
+        }
+        String id = tree.path("id").textValue();
+        try {
+            return decode(new Fields(tree, ""));
+        } catch (FieldException e) {
+            WireCode code = e.missing() ? WireCode.MISSING_FIELD : WireCode.BAD_FIELD;
+            throw new WireException(code, e.path(), e.getMessage()).about(id);
+        } catch (WireException e) {
+            throw e.about(id);
+        }
+    }
+
+    /** What is said of a message of more than {@link #LARGEST} bytes. */
+    public static WireException tooLarge() {
+        return new WireException(WireCode.TOO_LARGE, "", "expected at most 1 MiB");
+    }
+
+    private static JsonNode parse(byte[] bytes) {
+        try {
+            return JsonText.parse(bytes, "message");
+        } catch (DomainFileException e) {
+            throw new WireException(e.path().isEmpty() ? WireCode.NOT_JSON : WireCode.BAD_FIELD, e.path(), e.problem());
+        }
+    }
+
+    private static WireMessage decode(Fields f) {
+        if (f.has("v") && !(f.node().get("v").isNumber() && f.node().get("v").doubleValue() == VERSION)) {
+            throw new WireException(WireCode.BAD_VERSION, "v", f.wrong("v", Integer.toString(VERSION)).getMessage());
+        }
+        f.number("v");
+        if (f.has("type") && !TYPES.containsKey(f.node().get("type").textValue())) {
+            throw new WireException(WireCode.BAD_TYPE, "type",
+                    f.wrong("type", "one of " + String.join(", ", TYPES.keySet())).getMessage());
+        }
+        String type = f.text("type");
+        String source = f.textOrNull("source");
+        WireMessage.Envelope envelope = new WireMessage.Envelope(f.textOrNull("id"), source == null ? "" : source,
+                f.has("t") ? f.number("t", 0, LATEST, "Unix seconds") : null);
+        return TYPES.get(type).apply(envelope, f);
+    }
+
+    private static Map<String, Double> prior(Fields f) {
+        if (!f.has("prior")) {
+            return Map.of();
+        }
+        Map<String, Double> prior = f.probabilities("prior");
+        double sum = prior.values().stream().mapToDouble(p -> p).sum();
+        if (Math.abs(sum - 1) > ROUNDING) {
+            throw new FieldException(false, "prior", "expected probabilities that sum to 1, got a sum of " + sum);
+        }
+        return prior;
+    }
+
+    private static WireMessage acted(WireMessage.Envelope envelope, Fields f) {
+        List<String> statuses = Stream.of(WireMessage.Status.values()).map(RecordMapper::name).toList();
+        WireMessage.Status status = WireMessage.Status.valueOf(upper(f.oneOf("status", statuses)));
+        PickSignal pick = PickSignal.NONE;
+        if (f.has("pick")) {
+            pick = PickSignal.valueOf(upper(f.oneOf("pick", List.of("moving", "accepted", "rejected"))));
+        }
+        boolean decided = pick == PickSignal.ACCEPTED || pick == PickSignal.REJECTED;
+        if (decided && status != WireMessage.Status.COMPLETED) {
+            throw f.wrong("pick", "moving, because the act is not completed");
+        }
+        return new WireMessage.Acted(envelope, f.text("act"), f.has("objects") ? f.texts("objects") : List.of(), status, pick);
+    }
+
+    private static WireMessage speech(WireMessage.Envelope envelope, Fields f) {
+        boolean complete = !f.has("final") || f.flag("final");
+        if (!f.has("alternatives")) {
+            return new WireMessage.Heard(envelope, List.of(new WireMessage.Reading(f.text("text"), 1)), complete);
+        }
+        if (f.has("text")) {
+            throw f.wrong("text", "either text or alternatives");
+        }
+        List<WireMessage.Reading> readings = f.objects("alternatives").stream().map(a -> new WireMessage.Reading(
+                a.text("transcript"), a.number("confidence", 0, 1, "a confidence"))).toList();
+        if (readings.isEmpty()) {
+            throw f.wrong("alternatives", "at least one alternative");
+        }
+        return new WireMessage.Heard(envelope, readings, complete);
+    }
+
+    private static String upper(String word) {
+        return word.toUpperCase(Locale.ROOT);
+    }
+}

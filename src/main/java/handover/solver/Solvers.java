@@ -1,0 +1,152 @@
+package handover.solver;
+
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.Function;
+
+/**
+ * The solvers by the names under which people ask for them: {@code NAME}, {@code NAME:key=value,key=value}, or the name of
+ * a class. This list is the only place where a new solver is named.
+ */
+public final class Solvers {
+    private static final List<Entry> ALL = List.of(
+            new Entry("poss", "looks H=3 acts ahead with C=10 samples; leaf=policy or zero",
+                    List.of("H", "C", "leaf"), p -> new Poss(p.count("H", 3, 100), p.count("C", 10, 1_000_000),
+                            p.choice("leaf", "policy", "zero").equals("policy"))),
+            new Entry("threshold", "waits until one object has probability p=0.9, then hands it over",
+                    List.of("p"), p -> new Threshold(p.probability("p", 0.9))),
+            new Entry("confirm", "asks about the likeliest object until yes, then hands it over",
+                    List.of(), p -> new Confirm()),
+            new Entry("random", "any act, each as likely as the other: the floor",
+                    List.of(), p -> new RandomActs()),
+            new Entry("clairvoyant", "is told what the person wants: the ceiling",
+                    List.of(), p -> new Clairvoyant()));
+
+    /** A specification that names no solver, or one with parameters that it cannot have. */
+    public static final class BadSolverException extends IllegalArgumentException {
+        private static final long serialVersionUID = 1L;
+
+        BadSolverException(String spec, String problem, Throwable cause) {
+            super("solver \"" + spec + "\": " + problem, cause);
+        }
+    }
+
+    private record Entry(String name, String description, List<String> keys, Function<Parameters, Solver> make) {}
+
+    private Solvers() {}
+
+    /** The known names, in the order in which help shows them. */
+    public static List<String> names() {
+        return ALL.stream().map(Entry::name).toList();
+    }
+
+    /** What a known solver does, with its parameters and their defaults, in one line. */
+    public static String description(String name) {
+        return ALL.stream().filter(e -> e.name.equals(name)).findFirst().orElseThrow().description;
+    }
+
+    /**
+     * The solver that a specification asks for.
+     *
+     * @param spec for instance {@code poss}, {@code poss:H=2,C=10,leaf=zero}, {@code threshold:p=0.95}, or the full name of
+     *     a class that implements {@link Solver} and has a public constructor without arguments
+     * @throws BadSolverException that says which names or parameters there are
+     */
+    public static Solver parse(String spec) {
+        String name = spec.split(":", 2)[0];
+        for (Entry entry : ALL) {
+            if (entry.name.equals(name)) {
+                return make(entry, spec);
+            }
+        }
+        if (name.indexOf('.') > 0) {
+            return ofClass(spec);
+        }
+        throw new BadSolverException(spec, "expected one of " + String.join(", ", names())
+                + ", or the full name of a class that implements " + Solver.class.getName(), null);
+    }
+
+    private static Solver make(Entry entry, String spec) {
+        try {
+            return entry.make.apply(Parameters.of(entry, spec));
+        } catch (BadSolverException e) {
+            throw e;
+        } catch (IllegalArgumentException e) {
+            throw new BadSolverException(spec, e.getMessage(), e);
+        }
+    }
+
+    private static Solver ofClass(String name) {
+        try {
+            ClassLoader loader = Thread.currentThread().getContextClassLoader();
+            Class<?> type = Class.forName(name, true, loader == null ? Solvers.class.getClassLoader() : loader);
+            return type.asSubclass(Solver.class).getConstructor().newInstance();
+        } catch (ClassNotFoundException e) {
+            throw new BadSolverException(name, "there is no class of this name on the class path", e);
+        } catch (ClassCastException e) {
+            throw new BadSolverException(name, "this class does not implement " + Solver.class.getName(), e);
+        } catch (ReflectiveOperationException | LinkageError e) {
+            throw new BadSolverException(name, "expected a class with a public constructor without arguments: " + e, e);
+        }
+    }
+
+    /** What follows the colon. */
+    private record Parameters(String spec, Map<String, String> values) {
+
+        static Parameters of(Entry entry, String spec) {
+            Map<String, String> values = new TreeMap<>();
+            String list = spec.length() == entry.name.length() ? "" : spec.substring(entry.name.length() + 1);
+            String known = entry.keys.isEmpty() ? entry.name + " has no parameters"
+                    : "expected key=value with keys from " + String.join(", ", entry.keys);
+            if (list.isEmpty() && spec.length() > entry.name.length()) {
+                throw new BadSolverException(spec, known + ", got nothing after the colon", null);
+            }
+            for (String part : list.isEmpty() ? new String[0] : list.split(",", -1)) {
+                String[] pair = part.split("=", 2);
+                if (pair.length < 2 || !entry.keys.contains(pair[0])) {
+                    throw new BadSolverException(spec, known + ", got \"" + part + "\"", null);
+                } else if (values.put(pair[0], pair[1]) != null) {
+                    throw new BadSolverException(spec, "expected " + pair[0] + " once, got it twice", null);
+                }
+            }
+            return new Parameters(spec, values);
+        }
+
+        int count(String key, int otherwise, int most) {
+            String text = values.getOrDefault(key, Integer.toString(otherwise));
+            int value = text.matches("[0-9]{1,9}") ? Integer.parseInt(text) : 0;
+            if (value < 1 || value > most) {
+                throw bad(key, "a whole number from 1 to " + most, text);
+            }
+            return value;
+        }
+
+        double probability(String key, double otherwise) {
+            String text = values.getOrDefault(key, Double.toString(otherwise));
+            try {
+                double value = Double.parseDouble(text);
+                if (value >= 0 && value <= 1) {
+                    return value;
+                }
+            } catch (NumberFormatException e) {
+                throw bad(key, "a probability in [0, 1]", text);
+            }
+            throw bad(key, "a probability in [0, 1]", text);
+        }
+
+        /** One of some words, of which the first is the default. */
+        String choice(String key, String... words) {
+            String text = values.getOrDefault(key, words[0]);
+            if (!new TreeSet<>(List.of(words)).contains(text)) {
+                throw bad(key, String.join(" or ", words), text);
+            }
+            return text;
+        }
+
+        private BadSolverException bad(String key, String expected, String got) {
+            return new BadSolverException(spec, key + ": expected " + expected + ", got \"" + got + "\"", null);
+        }
+    }
+}
