@@ -1,8 +1,11 @@
 package handover.domain;
 
+import burlap.mdp.core.state.State;
 import burlap.mdp.singleagent.pomdp.PODomain;
 import handover.math.MatchScore;
 import handover.math.Simplex;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.random.RandomGenerator;
 
 /**
@@ -55,8 +58,13 @@ public class CommunicatedObjectDomain extends HandoverDomain {
         return domain;
     }
 
-    /** A pair in which the human expects anything alike, see {@link #initialState}. */
-    public CommunicatedState initialPair(String wanted, RandomGenerator random) {
-        return CommunicatedState.draw(initialState(wanted), random);
+    /** With each object that the human may expect. */
+    @Override
+    public Map<State, Double> hidden(HandoverState s) {
+        Map<State, Double> pairs = new LinkedHashMap<>();
+        for (int expected = 0; expected < s.human().length; expected++) {
+            pairs.put(new CommunicatedState(s, expected), s.human()[expected]);
+        }
+        return pairs.isEmpty() ? Map.of(new CommunicatedState(s, -1), 1.0) : pairs;
     }
 }

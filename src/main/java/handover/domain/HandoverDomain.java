@@ -3,6 +3,7 @@ package handover.domain;
 import burlap.behavior.singleagent.auxiliary.StateEnumerator;
 import burlap.debugtools.RandomFactory;
 import burlap.mdp.auxiliary.DomainGenerator;
+import burlap.mdp.core.state.State;
 import burlap.mdp.singleagent.pomdp.PODomain;
 import burlap.statehashing.ReflectiveHashableStateFactory;
 import handover.math.AngularGaussian;
@@ -10,6 +11,7 @@ import handover.math.MatchScore;
 import handover.math.Simplex;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.random.RandomGenerator;
 
 /**
@@ -258,6 +260,14 @@ public class HandoverDomain implements DomainGenerator {
     @Override
     public PODomain generateDomain() {
         return generateDomain(RandomFactory.getMapped(0));
+    }
+
+    /**
+     * The states of {@link #generateDomain} that stand behind a wish and what is known, with their probabilities: in a
+     * variant with more hidden variables more than one.
+     */
+    public Map<State, Double> hidden(HandoverState s) {
+        return Map.of(s, 1.0);
     }
 
     /** The state in which a human who wants {@code wanted} starts. Throws if there is no such object. */

@@ -23,7 +23,7 @@ public final class HandoverObservationFunction implements ObservationFunction {
     @Override
     public double probability(State observation, State state, Action action) {
         Observation o = (Observation) observation;
-        HandoverState s = base(state);
+        HandoverState s = HandoverState.of(state);
         if (o.signal() != s.task().signal()) {
             return 0;
         }
@@ -70,7 +70,7 @@ public final class HandoverObservationFunction implements ObservationFunction {
 
     /** What a human in this state says and shows. */
     public Observation sample(State state, Action action, RandomGenerator human) {
-        HandoverState s = base(state);
+        HandoverState s = HandoverState.of(state);
         Task task = s.task();
         if (task.done()) {
             return new Observation(null, null, task.signal());
@@ -83,11 +83,6 @@ public final class HandoverObservationFunction implements ObservationFunction {
         boolean points = human.nextDouble() < type.parameters().gestureRate();
         Gesture gesture = points ? HumanModel.sampleGesture(task.scene(), s.wanted(), human) : null;
         return new Observation(speech, gesture, task.signal());
-    }
-
-    /** People react to what they want and to what is known, whatever else a state holds. */
-    private static HandoverState base(State state) {
-        return state instanceof CommunicatedState c ? c.base() : (HandoverState) state;
     }
 
     private static ActModel reference(HandoverState s) {

@@ -36,18 +36,14 @@ public final class HandoverState implements OOState, HashableState {
         this.human = human;
     }
 
+    /** The wish and what is known, of a state of any variant. */
+    public static HandoverState of(State s) {
+        return s instanceof CommunicatedState c ? c.base() : (HandoverState) s;
+    }
+
     /** The known discrete part of a state or of any belief over states that share it. */
     public static Task taskOf(State s) {
-        if (s instanceof HandoverState h) {
-            return h.task;
-        }
-        if (s instanceof CommunicatedState c) {
-            return c.base().task;
-        }
-        if (s instanceof EnumerableBeliefState b) {
-            return taskOf(b.nonZeroBeliefs().get(0).s);
-        }
-        throw new IllegalArgumentException("expected a handover state or a belief over them, got " + s.getClass());
+        return s instanceof EnumerableBeliefState b ? taskOf(b.nonZeroBeliefs().get(0).s) : of(s).task;
     }
 
     /** omega, the position in the scene of the object that the human wants; -1 if there is none left. */
