@@ -166,8 +166,7 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
 
     /** Corrects with one gesture. Throws {@link IllegalArgumentException} if its shoulder is at an object. */
     public HandoverBelief saw(Gesture gesture) {
-        double[] f = HumanModel.gestureDensities(scene(), gesture);
-        return correct(log(f), task, sensed.with(false, false, false));
+        return correct(HumanModel.logGestureDensities(scene(), gesture), task, sensed.with(false, false, false));
     }
 
     /**
@@ -326,7 +325,11 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
     @Override
     public boolean equals(Object o) {
         return o instanceof HandoverBelief b && task.equals(b.task) && Arrays.equals(log, b.log)
-                && Arrays.equals(human, b.human) && sensed.equals(b.sensed);
+                && Arrays.equals(human, b.human) && sensed.equals(b.sensed) && underWay().equals(b.underWay());
+    }
+
+    private Act underWay() {
+        return step == null ? Act.WAIT : step.model().act();
     }
 
     @Override

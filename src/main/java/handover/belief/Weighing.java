@@ -56,11 +56,13 @@ final class Weighing {
             possible |= HumanModel.addLogWords(step.during().scene(), step.reference(), said, words[k]);
         }
         uninformative |= !possible;
+        double[] counts = HumanModel.logWordCounts(step.during().scene().domain(), alternatives);
         double[][] logs = new double[human.length][words.length];
         for (int k = 0; k < words.length; k++) {
-            double[] log = parts(alternatives.get(k).utterance(), weighContent, weighAnswer);
+            double[] log = parts(alternatives.get(k).utterance(), weighContent && possible, weighAnswer);
             for (int i = 0; i < log.length; i++) {
-                logs[i][k] = Math.log(alternatives.get(k).confidence()) + log[i] + (possible ? words[k][i] : 0);
+                logs[i][k] = Math.log(alternatives.get(k).confidence()) + counts[k] + log[i]
+                        + (possible ? words[k][i] : 0);
             }
         }
         return Arrays.stream(logs).mapToDouble(Simplex::logSumExp).toArray();
@@ -79,7 +81,7 @@ final class Weighing {
         }
         if (weighAnswer) {
             double[] answers = new double[human.length];
-            Arrays.setAll(answers, i -> Math.log(step.answerProbability(said.answer(), i)));
+            Arrays.setAll(answers, i -> Math.log(step.answers(said.answer())[i]));
             add(answers, log);
         }
         return log;

@@ -9,7 +9,9 @@
  * weighed as whole steps: the alternative without words pays 1 - P(content words). Words that come later in the same step
  * then no longer pay for having come at all.
  *
- * <p>2026-11-22, parts that nobody could have said. An answer when nothing is open, speech of a human who never speaks, or
- * words that fit no object make only that part uninformative; the rest of the utterance still counts.
+ * <p>2026-11-22, parts that nobody could have said. An answer when nothing is open, or content words that fit no object (with
+ * the rate at which people speak), make only that part uninformative; the rest of the utterance still counts. By the letter of
+ * MODEL 4.3 the whole observation would be dropped, but then a step heard at once and the same step heard event by event would
+ * give different beliefs.
  */
 package handover.belief;

@@ -10,8 +10,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 
 /** Answers each message on standard input with what the robot should believe. */
-@Command(name = "infer", description = "Read messages (PROTOCOL.md: begin, acted, speech, gesture, state, end; one JSON object a "
-        + "line), answer each with the belief.")
+@Command(name = "infer", description = "Read messages (PROTOCOL.md: begin, acted, speech, gesture, state, end; one JSON "
+        + "object a line), answer each with the belief.")
 final class Infer implements Callable<Integer> {
     @Parameters(paramLabel = "DOMAIN", description = "Name or file of the domain.")
     private String domain;

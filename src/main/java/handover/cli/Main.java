@@ -64,7 +64,8 @@ public final class Main implements Runnable {
                 .addSubcommand(new Plan(console))
                 .addSubcommand(new Check(console))
                 .addSubcommand(new Replay(console))
-                .addSubcommand(new Infer(console));
+                .addSubcommand(new Infer(console))
+                .addSubcommand(new Bench(console));
         line.setOut(new PrintWriter(console.out(), true)).setErr(new PrintWriter(console.err(), true));
         line.setExpandAtFiles(false);
         line.setColorScheme(CommandLine.Help.defaultColorScheme(console.live() ? Ansi.AUTO : Ansi.OFF));
@@ -76,7 +77,7 @@ public final class Main implements Runnable {
     /** Only called if there is a command line, but no command in it. */
     @Override
     public void run() {
-        throw new UsageException("expected a command: simulate, plan, check, replay, infer; see handover --help");
+        throw new UsageException("expected a command: simulate, plan, check, replay, infer, bench; see handover --help");
     }
 
     private int refuse(CommandLine.ParameterException e) {

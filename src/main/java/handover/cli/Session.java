@@ -104,7 +104,8 @@ final class Session {
 
     private String hear(WireMessage.Heard message, String re) {
         Speech speech = message.speech(domain.vocabulary());
-        List<String> unknown = speech.alternatives().stream().flatMap(a -> a.utterance().unknown().stream()).distinct().toList();
+        List<String> unknown = speech.alternatives().stream().flatMap(a -> a.utterance().unknown().stream()).distinct()
+                .toList();
         if (message.complete()) {
             tracker = episode().heard(speech);
         }
@@ -114,7 +115,8 @@ final class Session {
 
     private String see(WireMessage.Pointed message, String re) {
         if (message.frame() != null && !message.frame().equals(TABLE)) {
-            throw new WireException(WireCode.UNKNOWN_FRAME, "frame", "expected the frame " + TABLE + ", got " + message.frame());
+            throw new WireException(WireCode.UNKNOWN_FRAME, "frame",
+                    "expected the frame " + TABLE + ", got " + message.frame());
         }
         try {
             tracker = episode().saw(message.gesture());

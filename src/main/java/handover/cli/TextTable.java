@@ -1,11 +1,14 @@
 package handover.cli;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /** Columns of text: the first aligned left, the others right. Used by one thread. */
 final class TextTable {
     private static final String GAP = "  ";
+    /** Wider tables have narrower gaps. */
+    private static final int WIDEST = 130;
 
     private final List<List<String>> rows = new ArrayList<>();
     private final int longestName;
@@ -31,11 +34,13 @@ final class TextTable {
                 width[c] = Math.max(width[c], row.get(c).length());
             }
         }
+        boolean wide = Arrays.stream(width).sum() + (columns - 1) * GAP.length() > WIDEST;
+        String gap = wide ? " " : GAP;
         StringBuilder text = new StringBuilder();
         for (List<String> row : rows) {
             StringBuilder line = new StringBuilder(row.get(0)).append(" ".repeat(width[0] - row.get(0).length()));
             for (int c = 1; c < columns; c++) {
-                line.append(GAP).append(" ".repeat(width[c] - row.get(c).length())).append(row.get(c));
+                line.append(gap).append(" ".repeat(width[c] - row.get(c).length())).append(row.get(c));
             }
             text.append(line.toString().stripTrailing()).append('\n');
         }

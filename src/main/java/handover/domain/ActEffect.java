@@ -1,5 +1,7 @@
 package handover.domain;
 
+import java.util.Arrays;
+
 /**
  * What an act does from a given {@link Task}, apart from beliefs: the task while the human reacts, its price, and who
  * would answer what. Immutable, thread safe; arrays have one entry per object and must not be modified.
@@ -11,24 +13,28 @@ package handover.domain;
  * @param reference what content words are said in contrast to, null if nothing is open
  * @param yes P(yes | i)
  * @param no P(no | i)
+ * @param none P(no answer | i)
  * @param advance the probability of this effect; 1 unless the act is an increment that may not advance
  * @param stalled the effect if the increment does not advance, null if it surely does
  */
 public record ActEffect(ActModel model, Task during, double reward, boolean completes, ActModel reference, double[] yes,
-        double[] no, double advance, ActEffect stalled) {
+        double[] no, double[] none, double advance, ActEffect stalled) {
 
     /** The rest of the step once the pick completed and the table is as in {@code after}: nobody answers. */
     public ActEffect once(Task after) {
-        double[] never = new double[after.scene().size()];
-        return new ActEffect(model, after, reward, completes, null, never, never, 1, null);
+        int n = after.scene().size();
+        double[] never = new double[n];
+        double[] surely = new double[n];
+        Arrays.fill(surely, 1);
+        return new ActEffect(model, after, reward, completes, null, never, never, surely, 1, null);
     }
 
-    /** P(answer | i). */
-    public double answerProbability(Answer answer, int i) {
+    /** P(answer | i) for each object i. */
+    public double[] answers(Answer answer) {
         return switch (answer) {
-            case YES -> yes[i];
-            case NO -> no[i];
-            case NONE -> 1 - yes[i] - no[i];
+            case YES -> yes;
+            case NO -> no;
+            case NONE -> none;
         };
     }
 }

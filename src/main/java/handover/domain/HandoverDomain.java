@@ -130,14 +130,19 @@ public class HandoverDomain implements DomainGenerator {
     }
 
     /**
-     * P(yes) or P(no) to an act that the human takes to mean the wanted object with probability {@code match}
-     * (MODEL 4.1).
+     * P(answer) to an act that the human takes to mean the wanted object with probability {@code match} (MODEL 4.1). The
+     * three answers sum to one.
      */
     public double answerProbability(Answer answer, ActType type, double match) {
         double e = spec.speech().answerError();
-        double ifMatch = match * type.parameters().answerIfMatch();
-        double ifMiss = (1 - match) * type.parameters().answerIfMiss();
-        return answer == Answer.YES ? ifMatch * (1 - e) + ifMiss * e : ifMatch * e + ifMiss * (1 - e);
+        double ifMatch = type.parameters().answerIfMatch();
+        double ifMiss = type.parameters().answerIfMiss();
+        double miss = 1 - match;
+        return switch (answer) {
+            case YES -> match * ifMatch * (1 - e) + miss * ifMiss * e;
+            case NO -> match * ifMatch * e + miss * ifMiss * (1 - e);
+            case NONE -> match * (1 - ifMatch) + miss * (1 - ifMiss);
+        };
     }
 
     // ---- what follows --------------------------------------------------------------------------------------------
@@ -233,15 +238,20 @@ public class HandoverDomain implements DomainGenerator {
         boolean moves = progress > 0 && !completes && (pickRule.advance() == 1 || stalled != null);
         Task during = before.with(new Task.Key(open == null ? null : open.act(), Answer.NONE, target, progress,
                 moves ? PickSignal.MOVING : PickSignal.NONE, before.handovers(), false));
-        int n = before.scene().size();
-        double[] yes = new double[n];
-        double[] no = new double[n];
-        for (int i = 0; i < n && match != null && !completes; i++) {
-            yes[i] = answerProbability(Answer.YES, act.type(), match[i]);
-            no[i] = answerProbability(Answer.NO, act.type(), match[i]);
-        }
-        return new ActEffect(act, during, actReward(before, act), completes, open, yes, no,
+        boolean answerable = match != null && !completes;
+        return new ActEffect(act, during, actReward(before, act), completes, open,
+                answers(Answer.YES, act, match, answerable, before.scene().size()),
+                answers(Answer.NO, act, match, answerable, before.scene().size()),
+                answers(Answer.NONE, act, match, answerable, before.scene().size()),
                 stalled == null ? 1 : pickRule.advance(), stalled);
+    }
+
+    private double[] answers(Answer answer, ActModel act, double[] match, boolean answerable, int n) {
+        double[] p = new double[n];
+        for (int i = 0; i < n; i++) {
+            p[i] = answerable ? answerProbability(answer, act.type(), match[i]) : answer == Answer.NONE ? 1 : 0;
+        }
+        return p;
     }
 
     // ---- BURLAP --------------------------------------------------------------------------------------------------

@@ -78,7 +78,7 @@ public final class HandoverModel implements FullModel {
     private void addOutcomes(ActEffect effect, int i, double[] human, double p, List<Outcome> all) {
         if (!effect.completes()) {
             for (Answer answer : Answer.values()) {
-                double q = effect.answerProbability(answer, i);
+                double q = effect.answers(answer)[i];
                 if (q > 0) {
                     all.add(answered(effect, i, human, answer, p * q));
                 }

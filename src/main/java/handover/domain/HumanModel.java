@@ -2,6 +2,7 @@ package handover.domain;
 
 import handover.math.Vector3;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.random.RandomGenerator;
 
@@ -25,7 +26,8 @@ public final class HumanModel {
         for (int i = 0; i < out.length; i++) {
             double log = 0;
             for (String word : said.content()) {
-                log += Math.log(table.probabilities(domain.vocabulary().indexOf(word))[i]);
+                int w = domain.vocabulary().indexOf(word);
+                log += w < 0 ? 0 : Math.log(table.probabilities(w)[i]);
             }
             for (String word : said.negated()) {
                 boolean has = scene.objects().get(i).count(word) > 0;
@@ -37,18 +39,34 @@ public final class HumanModel {
         return possible;
     }
 
+    /**
+     * log P(number of content words) of each reading of an utterance: what makes readings of different length comparable.
+     * Longer readings than people are modelled to say count as the longest; 0 for all if none of them is possible.
+     */
+    public static double[] logWordCounts(HandoverDomain domain, List<Speech.Alternative> alternatives) {
+        List<Double> p = domain.spec().speech().wordCounts();
+        double[] log = alternatives.stream().mapToInt(a -> a.utterance().content().size())
+                .mapToDouble(k -> k == 0 ? 0 : Math.log(p.get(Math.min(k, p.size()) - 1))).toArray();
+        return Arrays.stream(log).allMatch(x -> x == Double.NEGATIVE_INFINITY) ? new double[log.length] : log;
+    }
+
     /** f(direction | i) per steradian for each object, as a new array. Throws if the shoulder is at an object. */
     public static double[] gestureDensities(Scene scene, Gesture gesture) {
-        double[] f = new double[scene.size()];
-        for (int i = 0; i < f.length; i++) {
+        return Arrays.stream(logGestureDensities(scene, gesture)).map(Math::exp).toArray();
+    }
+
+    /** log f(direction | i), which does not underflow, as a new array. Throws if the shoulder is at an object. */
+    public static double[] logGestureDensities(Scene scene, Gesture gesture) {
+        double[] log = new double[scene.size()];
+        for (int i = 0; i < log.length; i++) {
             Vector3 arm = scene.objects().get(i).position().minus(gesture.shoulder());
             if (arm.norm() < Check.TOO_CLOSE) {
                 throw new InvalidParameterException("shoulder", gesture.shoulder(), "a shoulder at least "
                         + Check.TOO_CLOSE + " m from " + scene.objects().get(i).name());
             }
-            f[i] = scene.domain().pointing().density(gesture.direction().angleTo(arm));
+            log[i] = scene.domain().pointing().logDensity(gesture.direction().angleTo(arm));
         }
-        return f;
+        return log;
     }
 
     /** A gesture of somebody who means object {@code i}, from the shoulder of the domain file. */

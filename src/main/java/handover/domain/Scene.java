@@ -1,6 +1,7 @@
 package handover.domain;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -58,9 +59,14 @@ public final class Scene {
         return acts;
     }
 
-    /** The model of an act, null if the act is not on offer here. */
+    /** The model of an act, null if the act is not on offer here. Its objects may be named in any order. */
     public ActModel model(Act act) {
-        return models.get(act);
+        ActModel model = models.get(act);
+        if (model == null && act.objects().size() > 1) {
+            List<String> inTableOrder = act.objects().stream().sorted(Comparator.comparingInt(this::indexOf)).toList();
+            model = models.get(new Act(act.verb(), inTableOrder));
+        }
+        return model;
     }
 
     /** p(word | i), in contrast to an open reference if it is not null (MODEL 4.1). */

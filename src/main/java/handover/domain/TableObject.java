@@ -17,13 +17,16 @@ import java.util.regex.Pattern;
  */
 public record TableObject(String name, Vector3 position, Map<String, Double> words, String label) {
     private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_.-]+");
-    private static final Pattern WORD = Pattern.compile("[\\p{Ll}\\p{Lo}\\p{N}][\\p{Ll}\\p{Lo}\\p{M}\\p{N}'-]*");
+    private static final Pattern WORD = Pattern.compile("[\\p{Ll}\\p{Lo}\\p{N}](?:[\\p{Ll}\\p{Lo}\\p{M}\\p{N}'-]*[\\p{Ll}\\p{Lo}\\p{M}\\p{N}])?");
     private static final double MOST = 1e9;
 
     /** Checks every field; throws {@link InvalidParameterException}. */
     public TableObject {
         if (name == null || !NAME.matcher(name).matches()) {
             throw new InvalidParameterException("name", name, "letters, digits, '_', '-' or '.'");
+        }
+        if (name.equals(HandoverState.CLASS_TASK)) {
+            throw new InvalidParameterException("name", name, "another name, because a state calls what is known so");
         }
         Check.position("position", position);
         SortedMap<String, Double> sorted = new TreeMap<>(words == null ? Map.of() : words);

@@ -27,7 +27,7 @@ public record Utterance(Answer answer, List<String> content, List<String> negate
     private static final String BUT = "but";
     private static final Set<String> DETERMINERS = Set.of("the", "a", "an", "this", "that", "these", "those", "my", "your",
             "his", "her", "its", "our", "their");
-    private static final Pattern TOKEN = Pattern.compile("[\\p{L}\\p{N}][\\p{L}\\p{M}\\p{N}'-]*|[,.;:!?]");
+    private static final Pattern TOKEN = Pattern.compile("[\\p{L}\\p{N}](?:[\\p{L}\\p{M}\\p{N}'-]*[\\p{L}\\p{M}\\p{N}])?|[,.;:!?]");
 
     public Utterance {
         content = List.copyOf(content);

@@ -117,8 +117,8 @@ public final class EpisodeLogReader implements Closeable {
         try {
             return JsonText.parse(line.content(), file + ": line " + number);
         } catch (DomainFileException e) {
-            throw new EpisodeLogException(file, number, e.getMessage().substring(e.file().length() + 2).replaceFirst("^line 1, ", ""),
-                    e);
+            String problem = e.getMessage().substring(e.file().length() + 2).replaceFirst("^line 1, ", "");
+            throw new EpisodeLogException(file, number, problem, e);
         }
     }
 

@@ -11,7 +11,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
-/** Writes an episode log: each line with one write, so that a run that is stopped tears at most the last one. Used by one thread at a time. */
+/**
+ * Writes an episode log: each line with one write, so that a run that is stopped tears at most the last one. Used by one
+ * thread at a time.
+ */
 public final class EpisodeLogWriter implements Closeable {
     private final OutputStream out;
 

@@ -6,7 +6,10 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.io.InputStream;
 
-/** Lines of bytes, of limited length, with what a reader of text does not tell: whether the last one has an end. Used by one thread. */
+/**
+ * Lines of bytes, of limited length, with what a reader of text does not tell: whether the last one has an end. Used by one
+ * thread.
+ */
 public final class LineReader implements Closeable {
     private final InputStream in;
     private final int longest;

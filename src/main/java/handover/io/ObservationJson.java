@@ -14,7 +14,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 
-/** What was sensed in a step, as fields of a JSON object: {@code speech}, {@code gesture} and {@code signal}, where there are any. */
+/**
+ * What was sensed in a step, as fields of a JSON object: {@code speech}, {@code gesture} and {@code signal}, where there are
+ * any.
+ */
 final class ObservationJson {
     private static final int MOST_TRIES = 10_000;
 

@@ -32,6 +32,11 @@ public final class AngularGaussian {
         return (1 - outliers) * Math.exp(-t * t / (2 * variance)) / normaliser + outliers * UNIFORM;
     }
 
+    /** log f, exact also where f underflows. */
+    public double logDensity(double t) {
+        return outliers > 0 ? Math.log(density(t)) : -t * t / (2 * variance) - Math.log(normaliser);
+    }
+
     /** Z(v) = 2 pi int_0^pi sin(t) exp(-t^2/(2v)) dt, in steradians. */
     public double normaliser() {
         return normaliser;

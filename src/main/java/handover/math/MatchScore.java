@@ -126,6 +126,6 @@ public enum MatchScore {
     }
 
     private static double relativeEntropyTerm(double p, double q) {
-        return p > 0 ? p * Math.log(p / q) : 0;
+        return p > 0 ? p * Math.log(p / Math.max(q, Double.MIN_VALUE)) : 0;
     }
 }

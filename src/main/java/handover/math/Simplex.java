@@ -59,9 +59,8 @@ public final class Simplex {
             z += v;
         }
         if (z > 0) {
-            double scale = 1 / z;
             for (int i = 0; i < n; i++) {
-                out[i] *= scale;
+                out[i] /= z;
             }
         } else {
             propagate(stay, p, out, n);

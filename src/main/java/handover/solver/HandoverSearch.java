@@ -285,15 +285,7 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         }
         ActEffect effect = outcome.effect;
         Answer answer = HumanModel.answer(effect, i, u);
-        switch (answer) {
-            case YES -> multiply(b, effect.yes(), outcome.n);
-            case NO -> multiply(b, effect.no(), outcome.n);
-            case NONE -> {
-                for (int j = 0; j < outcome.n; j++) {
-                    b[j] *= effect.answerProbability(Answer.NONE, j);
-                }
-            }
-        }
+        multiply(b, effect.answers(answer), outcome.n);
         return outcome.task.answered(answer);
     }
 

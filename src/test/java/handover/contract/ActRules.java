@@ -94,10 +94,13 @@ final class ActRules {
                 }
                 ActEffect effect = s.task().effect(m.act());
                 for (int i = 0; i < s.human().length; i++) {
+                    double sum = 0;
                     for (Answer answer : Answer.values()) {
-                        probability(effect.answerProbability(answer, i),
-                                "P(" + answer + " | " + name(s.task().scene(), i) + ") after " + m);
+                        double p = effect.answers(answer)[i];
+                        probability(p, "P(" + answer + " | " + name(s.task().scene(), i) + ") after " + m);
+                        sum += p;
                     }
+                    assertEquals(1, sum, ROUNDING, "sum of answers for " + name(s.task().scene(), i) + " after " + m);
                     if (m.match() != null) {
                         probability(m.match()[i], "match of " + m + " with " + name(s.task().scene(), i));
                     }

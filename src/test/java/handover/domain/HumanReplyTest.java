@@ -49,7 +49,7 @@ class HumanReplyTest {
                 compare(oracle, Act.WAIT, null, effect.during().answered(Answer.NO).effect(Act.WAIT));
             }
             for (int i = 0; pick && i < oracle.n(); i++) {
-                assertEquals(1, effect.answerProbability(Answer.NONE, i), 0, "nobody answers a pick that completes");
+                assertEquals(1, effect.answers(Answer.NONE)[i], 0, "nobody answers a pick that completes");
             }
         }
     }
@@ -58,7 +58,7 @@ class HumanReplyTest {
         for (int i = 0; i < oracle.n(); i++) {
             for (Answer answer : Answer.values()) {
                 int object = i;
-                assertEquals(oracle.answer(answer, act, open, i), effect.answerProbability(answer, i), CLOSE,
+                assertEquals(oracle.answer(answer, act, open, i), effect.answers(answer)[i], CLOSE,
                         () -> "P(" + answer + " to " + act + " with " + open + " open given object " + object + ")");
             }
         }

@@ -7,16 +7,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeSet;
-import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * MODEL.md sections 3 and 4 a second time: read from the text, in the most naive way, slow on purpose. Shares nothing with
  * the code under test but plain data ({@link DomainSpec}, {@link Act}). Objects are numbered as in {@code present}.
  */
 public final class ModelOracle {
-    private static final int PANELS = 200_000;
-    private static final Map<Double, Double> NORMALISERS = new ConcurrentHashMap<>();
-
     final DomainSpec spec;
     final List<TableObject> present;
     private final TreeSet<String> vocabulary = new TreeSet<>();
@@ -35,24 +31,6 @@ public final class ModelOracle {
     /** T_tau(i given j). */
     public double transition(double tau, int i, int j) {
         return n() == 1 ? 1 : i == j ? tau : (1 - tau) / (n() - 1);
-    }
-
-    /** The angle at {@code from} between two points, as that of an isosceles triangle with sides of length 1. */
-    static double angle(Vector3 from, Vector3 a, Vector3 b) {
-        double[] u = unit(a.x() - from.x(), a.y() - from.y(), a.z() - from.z());
-        double[] w = unit(b.x() - from.x(), b.y() - from.y(), b.z() - from.z());
-        double apart = 0;
-        double together = 0;
-        for (int k = 0; k < 3; k++) {
-            apart += (u[k] - w[k]) * (u[k] - w[k]);
-            together += (u[k] + w[k]) * (u[k] + w[k]);
-        }
-        return 2 * Math.atan2(Math.sqrt(apart), Math.sqrt(together));
-    }
-
-    private static double[] unit(double x, double y, double z) {
-        double length = Math.sqrt(x * x + y * y + z * z);
-        return new double[] {x / length, y / length, z / length};
     }
 
     // ---- 3: what the robot may ask, with the words it says ---------------------------------------------------------
@@ -130,7 +108,7 @@ public final class ModelOracle {
     /** G_sigma(x, i). */
     private double closeness(String verb, int x, int i) {
         double sigma = verb.equals("POINT") ? spec.understanding().sigmaPoint() : spec.understanding().sigmaLook();
-        double theta = angle(spec.pointingOrigin(), present.get(x).position(), present.get(i).position());
+        double theta = PointingOracle.angle(spec.pointingOrigin(), present.get(x).position(), present.get(i).position());
         return Math.exp(-theta * theta / (2 * sigma * sigma));
     }
 
@@ -229,23 +207,10 @@ public final class ModelOracle {
     public double gesture(Gesture g, int i) {
         Vector3 s = g.shoulder();
         Vector3 hand = new Vector3(s.x() + g.direction().x(), s.y() + g.direction().y(), s.z() + g.direction().z());
-        double theta = angle(s, hand, present.get(i).position());
+        double theta = PointingOracle.angle(s, hand, present.get(i).position());
         double v = spec.gesture().variance();
         double eps = spec.gesture().outliers();
-        return (1 - eps) * Math.exp(-theta * theta / (2 * v)) / normaliser(v) + eps / (4 * Math.PI);
-    }
-
-    /** Z(v) by Simpson's rule. */
-    public static double normaliser(double v) {
-        return NORMALISERS.computeIfAbsent(v, k -> {
-            double sum = 0;
-            for (int panel = 0; panel <= 2 * PANELS; panel++) {
-                double t = panel * Math.PI / (2 * PANELS);
-                int weight = panel == 0 || panel == 2 * PANELS ? 1 : panel % 2 == 1 ? 4 : 2;
-                sum += weight * Math.sin(t) * Math.exp(-t * t / (2 * v));
-            }
-            return 2 * Math.PI * sum * Math.PI / (6 * PANELS);
-        });
+        return (1 - eps) * Math.exp(-theta * theta / (2 * v)) / PointingOracle.normaliser(v) + eps / (4 * Math.PI);
     }
 
     ActParameters parameters(Act act) {

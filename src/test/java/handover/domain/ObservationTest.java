@@ -105,7 +105,8 @@ class ObservationTest {
                 Observation o = f.sample(s, act);
                 Utterance said = o.speech() == null ? Utterance.SILENCE : o.speech().alternatives().get(0).utterance();
                 assertEquals(answer, said.answer(), "the answer that the state holds");
-                counts.merge(said.content().stream().reduce("", (a, w) -> a + " " + w) + (o.gesture() != null), 1L, Long::sum);
+                String words = said.content().stream().reduce("", (a, w) -> a + " " + w);
+                counts.merge(words + (o.gesture() != null), 1L, Long::sum);
             }
             GoodnessOfFit.assertFits("said after " + act + ", " + answer, counts, expected, FALSE_ALARM);
         }
@@ -134,7 +135,7 @@ class ObservationTest {
             for (int k = 0; k < DRAWS; k++) {
                 Gesture g = HumanModel.sampleGesture(domain.start(), 1, random);
                 assertEquals(shoulder, g.shoulder());
-                double theta = ModelOracle.angle(shoulder, shoulder.plus(g.direction()), OBJECTS.get(1).position());
+                double theta = PointingOracle.angle(shoulder, shoulder.plus(g.direction()), OBJECTS.get(1).position());
                 counts[(int) Math.min(19, theta / Math.PI * 20)]++;
             }
             double[] expected = new double[20];
@@ -161,7 +162,8 @@ class ObservationTest {
     void theSignalIsShownAndAnEndIsSilent() {
         HandoverDomain domain = domain(0.04, 0.05);
         Act pick = Act.of("PICK", "a");
-        HandoverState end = (HandoverState) new HandoverModel(domain, new Random(1)).sample(domain.initialState("a"), pick).op;
+        HandoverModel model = new HandoverModel(domain, new Random(1));
+        HandoverState end = (HandoverState) model.sample(domain.initialState("a"), pick).op;
         HandoverObservationFunction f = new HandoverObservationFunction(domain, new Random(2));
         Observation o = f.sample(end, pick);
         assertEquals(PickSignal.ACCEPTED, o.signal());

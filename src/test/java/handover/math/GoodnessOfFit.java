@@ -68,7 +68,7 @@ public final class GoodnessOfFit {
     }
 
     /**
-     * Kolmogorov and Smirnov's distance, with the bound of Dvoretzky, Kiefer, Wolfowitz and Massart, which holds for every n.
+     * Kolmogorov and Smirnov's distance, with the bound of Dvoretzky, Kiefer, Wolfowitz and Massart, for every n.
      *
      * @param sample modified: sorted
      */

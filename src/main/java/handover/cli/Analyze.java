@@ -1,0 +1,12 @@
+package handover.cli;
+
+import picocli.CommandLine.Command;
+
+/** Experiments on the model itself. */
+@Command(name = "analyze", description = "Experiments: what the match rewards want (reward), what increments are good for (cancels).")
+final class Analyze implements Runnable {
+    @Override
+    public void run() {
+        throw new UsageException("expected an experiment: analyze reward, analyze cancels; see handover analyze --help");
+    }
+}

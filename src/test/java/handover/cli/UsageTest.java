@@ -1,0 +1,71 @@
+package handover.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What cannot be meant is said in one line, with exit code 2; help and version are everywhere. */
+class UsageTest {
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            simulat | Unmatched argument at index 0: 'simulat'; did you mean simulate
+            simulate --episodes x | Invalid value for option '--episodes': 'x' is not an int
+            simulate --episodes 0 --out - | --episodes: expected a whole number of at least 1, got 0
+            simulate --threads 0 --out - | --threads: expected a whole number of at least 1, got 0
+            simulate --deadline-ms -1 --out - | --deadline-ms: expected a whole number of at least 0, got -1
+            simulate --max-steps 0 --out - | --max-steps: expected a whole number of at least 1, got 0
+            simulate --domain tabel --out - | tabel: there is no such file, and no shipped domain of this name
+            simulate --human nobody.json --out - | nobody.json: there is no such file
+            simulate --solver poss --solver poss:H=3 --out - | --solver: expected each solver once, got poss:H=3,C=10 twice
+            simulate --solver mcts --out - | solver "mcts": expected one of poss, threshold, confirm, random, clairvoyant
+            simulate --resume --out - | --resume: expected a log to resume, got --out -
+            plan --solver clairvoyant | --solver: clairvoyant is told what the person wants, which nobody knows here
+            plan --belief cup=1 | --belief: cup: expected the name of an object, one of metal_bowl, color_bowl
+            plan --belief color_bowl=0.5 | --belief: expected probabilities that sum to 1, got a sum of 0.5
+            plan --belief color_bowl=2 | --belief: color_bowl: expected a probability in [0, 1], got 2.0
+            plan --belief color_bowl=NaN | --belief: color_bowl: expected a probability in [0, 1], got NaN
+            plan --belief color_bowl=much | --belief: color_bowl: expected a probability in [0, 1], got "much"
+            plan --belief color_bowl=1,metal_bowl | --belief: expected NAME=PROBABILITY,NAME=PROBABILITY, got "metal_bowl"
+            plan --belief color_bowl=1,color_bowl=0 | --belief: color_bowl: expected each object once, got it twice
+            plan --human-belief nothing.json | nothing.json: there is no such file
+            plan --foo | Unknown option: '--foo'
+            check | Missing required parameter: 'FILE'
+            replay nothing.jsonl | nothing.jsonl: there is no such file
+            infer | Missing required parameter: 'DOMAIN'
+            simulate extra | Unmatched argument at index 1: 'extra'
+            """)
+    void saysWhatIsWrong(String command, String message) {
+        Output o = Output.of(command.split(" "));
+        assertTrue(o.err().startsWith("handover: " + message), o.err());
+        assertEquals(1, o.err().lines().count(), o.err());
+        assertEquals("", o.out());
+        assertEquals(Main.BAD_INPUT, o.code());
+    }
+
+    @Test
+    void aCommandIsExpected() {
+        Output o = Output.of("--debug");
+        assertEquals(Main.BAD_INPUT, o.code());
+        assertTrue(o.err().startsWith("handover: expected a command"), o.err());
+        assertTrue(o.err().contains("\tat handover.cli.Main"), "--debug shows where");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "simulate ", "plan ", "check ", "replay ", "infer ", "bench "})
+    void helpAndVersionAreEverywhere(String command) {
+        Output help = Output.of((command + "--help").split(" "));
+        assertEquals(Main.FINE, help.code());
+        assertTrue(help.out().startsWith(("Usage: handover " + command).strip()), help.out());
+        assertEquals(new Output(Main.FINE, "handover 0.1.0\n", ""), Output.of((command + "--version").split(" ")));
+    }
+
+    @Test
+    void helpListsTheSolvers() {
+        assertTrue(Output.of("plan", "--help").out().contains("  poss        looks H=3 acts ahead with C=10 samples"));
+    }
+}
