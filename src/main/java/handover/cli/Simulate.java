@@ -23,7 +23,7 @@ import picocli.CommandLine.Option;
 /** Plays episodes with simulated people and says what each solver was worth. */
 @Command(name = "simulate", description = "Play episodes with simulated people; compare solvers in a table; log every step.")
 final class Simulate implements Callable<Integer> {
-    private static final int MOST_NAMED = 8;
+    private static final int MOST_NAMED = 6;
     private static final String NO_LOG = "-";
 
     @Option(names = "--domain", paramLabel = "NAME|FILE", defaultValue = "bowls-and-spoons",
@@ -121,9 +121,8 @@ final class Simulate implements Callable<Integer> {
         int acts = DomainFiles.domain(header.domain()).start().acts().size();
         return "A robot is to hand a person the object that they want; it does not know which, but sees and hears them.\n"
                 + "On the table (domain " + header.domain().name() + "): "
-                + names.stream().limit(MOST_NAMED).collect(Collectors.joining(", ")) + more + "; the robot can do "
-                + acts + " things.\n"
-                + header.solvers().size() + " solvers play " + header.episodes()
+                + names.stream().limit(MOST_NAMED).collect(Collectors.joining(", ")) + more + ".\n"
+                + "The robot can do " + acts + " things. " + header.solvers().size() + " solvers play " + header.episodes()
                 + " episodes each, with the same people and the same luck: seed " + header.seed() + ".\n"
                 + (header.asModelled() ? "People speak, point and answer as the robot believes that they do.\n"
                         : "People are not as the robot believes, but as in " + human + ".\n")

@@ -1,8 +1,10 @@
 package handover.contract;
 
+import handover.domain.CommunicatedParameters;
 import handover.domain.HandoverDomain;
 import handover.domain.PickParameters;
 import handover.io.DomainFiles;
+import handover.math.MatchScore;
 import org.junit.jupiter.api.Nested;
 
 /** Every shipped variant under the contract. */
@@ -53,6 +55,15 @@ class ShippedVariantsTest {
         @Override
         protected HandoverDomain domain() {
             return DomainFiles.load("bowls-incremental-communicated");
+        }
+    }
+
+    @Nested
+    class CommunicatedLog extends DomainContract {
+        @Override
+        protected HandoverDomain domain() {
+            return DomainFiles.domain(DomainFiles.read("bowls-communicated")
+                    .with(s -> s.communicated = new CommunicatedParameters(2, MatchScore.LOG)));
         }
     }
 }
