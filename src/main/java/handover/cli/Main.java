@@ -65,7 +65,9 @@ public final class Main implements Runnable {
                 .addSubcommand(new Check(console))
                 .addSubcommand(new Replay(console))
                 .addSubcommand(new Infer(console))
-                .addSubcommand(new Bench(console));
+                .addSubcommand(new Bench(console))
+                .addSubcommand(new CommandLine(new Analyze()).addSubcommand(new AnalyzeReward(console))
+                        .addSubcommand(new AnalyzeCancels(console)));
         line.setOut(new PrintWriter(console.out(), true)).setErr(new PrintWriter(console.err(), true));
         line.setExpandAtFiles(false);
         line.setColorScheme(CommandLine.Help.defaultColorScheme(console.live() ? Ansi.AUTO : Ansi.OFF));
@@ -77,7 +79,7 @@ public final class Main implements Runnable {
     /** Only called if there is a command line, but no command in it. */
     @Override
     public void run() {
-        throw new UsageException("expected a command: simulate, plan, check, replay, infer, bench; see handover --help");
+        throw new UsageException("expected a command: simulate, plan, check, replay, infer, bench, analyze; see handover --help");
     }
 
     private int refuse(CommandLine.ParameterException e) {

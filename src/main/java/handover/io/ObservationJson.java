@@ -19,7 +19,6 @@ import java.util.stream.Stream;
  * any.
  */
 final class ObservationJson {
-    private static final int MOST_TRIES = 10_000;
 
     private ObservationJson() {}
 
@@ -60,22 +59,9 @@ final class ObservationJson {
     private static Gesture gesture(Fields f) {
         Vector3 direction = f.vector("direction", "number");
         try {
-            return exactly(f.vector("shoulder", "number of metres"), direction);
+            return new Gesture(f.vector("shoulder", "number of metres"), direction);
         } catch (InvalidParameterException e) {
             throw new FieldException(false, f.path() + "." + e.field(), e.problem());
         }
-    }
-
-    /**
-     * The gesture with this very direction. Making a vector unit length rounds, also if it had unit length but for rounding,
-     * so that a logged direction may come back changed in its last digit; some multiple of it does not.
-     */
-    static Gesture exactly(Vector3 shoulder, Vector3 direction) {
-        Gesture plain = new Gesture(shoulder, direction);
-        if (plain.direction().equals(direction) || Math.abs(direction.norm() - 1) > 1e-9) {
-            return plain;
-        }
-        return Stream.iterate(3, k -> k + 2).limit(MOST_TRIES).map(k -> new Gesture(shoulder, direction.times(k)))
-                .filter(g -> g.direction().equals(direction)).findFirst().orElse(plain);
     }
 }

@@ -19,6 +19,8 @@ public final class Solvers {
                     List.of("p"), p -> new Threshold(p.probability("p", 0.9))),
             new Entry("confirm", "asks about the likeliest object until yes, then hands it over",
                     List.of(), p -> new Confirm()),
+            new Entry("burlap", "BURLAP's own sparse sampling, H=2 acts ahead with C=5 samples: slow",
+                    List.of("H", "C"), p -> new BurlapSparseSampling(p.count("H", 2, 100), p.count("C", 5, 1_000_000))),
             new Entry("random", "any act, each as likely as the other: the floor",
                     List.of(), p -> new RandomActs()),
             new Entry("clairvoyant", "is told what the person wants: the ceiling",

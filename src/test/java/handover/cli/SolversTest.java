@@ -45,9 +45,9 @@ class SolversTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-            possum | expected one of poss, threshold, confirm, random, clairvoyant, or the full name of a class that \
+            possum | expected one of poss, threshold, confirm, burlap, random, clairvoyant, or the full name of a class that \
             implements handover.solver.Solver
-            `` | expected one of poss, threshold, confirm, random, clairvoyant, or the full name of a class that \
+            `` | expected one of poss, threshold, confirm, burlap, random, clairvoyant, or the full name of a class that \
             implements handover.solver.Solver
             poss: | expected key=value with keys from H, C, leaf, got nothing after the colon
             poss:H | expected key=value with keys from H, C, leaf, got "H"
