@@ -16,7 +16,6 @@ import handover.domain.PickSignal;
 import handover.domain.Scene;
 import handover.domain.Speech;
 import handover.domain.Task;
-import handover.domain.WrongPick;
 import handover.math.Simplex;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -50,7 +49,7 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
     private HandoverBelief(Task task, double[] log, double[] human, ActEffect step, Sensed sensed) {
         this.task = task;
         this.log = log;
-        this.probabilities = exp(log);
+        this.probabilities = LogWeights.exp(log);
         this.human = human;
         this.step = step;
         this.sensed = sensed;
@@ -69,7 +68,7 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
      */
     public static HandoverBelief of(Task task, double[] b, double[] h) {
         ActEffect step = task.done() || task.scene().size() == 0 ? null : task.effect(Act.WAIT);
-        return new HandoverBelief(task, log(b), h.clone(), step, Sensed.NOTHING);
+        return new HandoverBelief(task, LogWeights.log(b), h.clone(), step, Sensed.NOTHING);
     }
 
     // ---- reading -------------------------------------------------------------------------------------------------
@@ -120,7 +119,7 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
         if (tau != 1) {
             double[] p = before.probabilities.clone();
             Simplex.propagate(tau, p, p, p.length);
-            moved = log(p);
+            moved = LogWeights.log(p);
         }
         return new HandoverBelief(effect.during(), moved, domain().understood(effect.model(), human), effect, Sensed.NOTHING);
     }
@@ -181,16 +180,15 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
         Task next = task.completed(accepted);
         int n = next.scene().size();
         boolean possible = true;
-        double[] after = Simplex.uniform(n);
+        double[] after = LogWeights.log(Simplex.uniform(n));
         if (!accepted) {
-            double[] rest = log.clone();
-            rest[x] = Double.NEGATIVE_INFINITY;
-            possible = Simplex.normaliseLog(rest);
-            after = possible ? null : excluding(x, log.length);
-            after = domain().spec().wrongPick() == WrongPick.REMOVED ? dropped(possible ? exp(rest) : after, x)
-                    : possible ? exp(rest) : after;
+            after = log.clone();
+            after[x] = Double.NEGATIVE_INFINITY;
+            possible = Simplex.normaliseLog(after);
+            after = possible ? after : LogWeights.log(LogWeights.excluding(x, log.length));
+            after = n < after.length ? LogWeights.dropped(after, x) : after;
         }
-        return new HandoverBelief(next, log(after), Simplex.uniform(n), n == 0 ? null : step.once(next),
+        return new HandoverBelief(next, after, Simplex.uniform(n), n == 0 ? null : step.once(next),
                 sensed.with(false, false, !possible));
     }
 
@@ -217,7 +215,7 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
 
     /** The same with certainty that the human wants object {@code i}. */
     public HandoverBelief revealed(int i) {
-        return new HandoverBelief(task, log(Simplex.vertex(log.length, i)), human, step, sensed);
+        return new HandoverBelief(task, LogWeights.log(Simplex.vertex(log.length, i)), human, step, sensed);
     }
 
     private HandoverBelief correct(double[] logLikelihood, Task next, Sensed after) {
@@ -232,39 +230,6 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
 
     private HandoverBelief sense(Sensed after) {
         return new HandoverBelief(task, log, human, step, after);
-    }
-
-    private static double[] excluding(int x, int n) {
-        double[] p = Simplex.uniform(n);
-        if (n > 1) {
-            p[x] = 0;
-            Simplex.normalise(p, n);
-        }
-        return p;
-    }
-
-    private static double[] dropped(double[] p, int x) {
-        double[] rest = new double[p.length - 1];
-        System.arraycopy(p, 0, rest, 0, x);
-        System.arraycopy(p, x + 1, rest, x, rest.length - x);
-        return rest;
-    }
-
-    private static double[] exp(double[] log) {
-        double[] p = new double[log.length];
-        for (int i = 0; i < p.length; i++) {
-            p[i] = Math.exp(log[i]);
-        }
-        Simplex.normalise(p, p.length);
-        return p;
-    }
-
-    private static double[] log(double[] p) {
-        double[] log = new double[p.length];
-        for (int i = 0; i < p.length; i++) {
-            log[i] = Math.log(p[i]);
-        }
-        return log;
     }
 
     // ---- BURLAP --------------------------------------------------------------------------------------------------

@@ -69,7 +69,7 @@ final class CommitOrWait {
 
     /** The value of a belief at which no pick has just completed. */
     double value(HandoverSearch.Node node) {
-        HandoverSearch.Belief b = node.b;
+        SearchBelief b = node.b;
         double best = Math.max(waiting(Math.min(node.match, matchUniform(b))), asking(node));
         if (commitBound(node) > best) {
             best = Math.max(best, committing(node, b.likeliest()));
@@ -102,7 +102,7 @@ final class CommitOrWait {
         return node.b.asking;
     }
 
-    private double matchUniform(HandoverSearch.Belief b) {
+    private double matchUniform(SearchBelief b) {
         if (Double.isNaN(b.matchUniform)) {
             b.matchUniform = domain.matchReward(b.p, uniform, n);
         }
@@ -141,7 +141,7 @@ final class CommitOrWait {
                 + (1 - right) * (during.completed(false).done() ? 0 : afterRejection);
     }
 
-    private double afterRejection(HandoverSearch.Belief b, int x, Task picking) {
+    private double afterRejection(SearchBelief b, int x, Task picking) {
         if (b.rejected != x) {
             b.rejected = x;
             b.afterRejection = afterRejection(b.p, x, picking.completed(false), 0);
@@ -188,7 +188,7 @@ final class CommitOrWait {
 
     /** On handing over the likeliest object now; as tight as it needs to be to tell whether that can beat asking. */
     private double commitBound(HandoverSearch.Node node) {
-        HandoverSearch.Belief b = node.b;
+        SearchBelief b = node.b;
         if (Double.isNaN(b.commitBound)) {
             int x = b.likeliest();
             double right = b.p[x];

@@ -42,7 +42,7 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
     /** A belief with its known part; between act and observation also what is under way. */
     final class Node {
         /** {@link #own} or, where nothing was observed, another node's. */
-        Belief b;
+        SearchBelief b;
         double[] h;
         int n;
         Task task;
@@ -54,10 +54,10 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         double match;
         /** Whether people may still answer: not once a pick completed. */
         boolean answerable;
-        private final Belief own = new Belief(capacity);
+        private final SearchBelief own = new SearchBelief(capacity);
         /** P(content words | i) of the step that leads here, once {@link #sampled} was asked. */
         private final double[] rates = new double[capacity];
-        private final Expectations ownExpectations = new Expectations();
+        private final Expectations ownExpectations = new Expectations(domain, capacity, actCapacity);
         /** h' after each act; shared by all observations of the act that leads here. */
         private Expectations expectations = ownExpectations;
 
@@ -75,68 +75,6 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
             expectations = ownExpectations;
             expectations.reset();
             return this;
-        }
-    }
-
-    /** b with what is computed from it once. */
-    static final class Belief {
-        final double[] p;
-        private int n;
-        private int likeliest;
-        /** The object whose rejection {@link #afterRejection} is about, -1 if none was asked for yet. */
-        int rejected;
-        double afterRejection;
-        /** The match reward if the human expects nothing in particular; NaN until asked for. */
-        double matchUniform;
-        /** The value of {@link AskInTurn}; NaN until asked for. */
-        double asking;
-        /** Upper bound on handing over the likeliest object now; NaN until asked for. */
-        double commitBound;
-
-        private Belief(int capacity) {
-            p = new double[capacity];
-        }
-
-        /** Starts a new belief from {@code from}, which may then be changed until something is asked of it. */
-        private Belief begin(double[] from, int size) {
-            System.arraycopy(from, 0, p, 0, size);
-            n = size;
-            likeliest = -1;
-            rejected = -1;
-            matchUniform = Double.NaN;
-            asking = Double.NaN;
-            commitBound = Double.NaN;
-            return this;
-        }
-
-        int likeliest() {
-            if (likeliest < 0) {
-                likeliest = Simplex.argmax(p, n);
-            }
-            return likeliest;
-        }
-    }
-
-    /** h' after each act for one h, filled on demand. */
-    private final class Expectations {
-        private final double[][] after = new double[actCapacity][];
-        private final int[] filled = new int[actCapacity];
-        private int current;
-
-        void reset() {
-            current++;
-        }
-
-        double[] after(ActModel act, double[] h) {
-            int a = act.index();
-            if (filled[a] != current || after[a] == null) {
-                if (after[a] == null) {
-                    after[a] = new double[capacity];
-                }
-                domain.understand(act, h, after[a], act.lambda().length);
-                filled[a] = current;
-            }
-            return after[a];
         }
     }
 
@@ -171,7 +109,7 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
     }
 
     /** b after the transition of omega; without one, the node's own. */
-    private Belief predicted(Node node, Belief out) {
+    private SearchBelief predicted(Node node, SearchBelief out) {
         double tau = domain.spec().tau();
         if (tau == 1) {
             return node.b;

@@ -1,0 +1,44 @@
+package handover.belief;
+
+import handover.math.Simplex;
+
+/** Distributions as logarithms and back. Pure; arrays that are returned are new. */
+final class LogWeights {
+    private LogWeights() {}
+
+    /** Log weights that are normalised up to rounding as a distribution. */
+    static double[] exp(double[] log) {
+        double[] p = new double[log.length];
+        for (int i = 0; i < p.length; i++) {
+            p[i] = Math.exp(log[i]);
+        }
+        Simplex.normalise(p, p.length);
+        return p;
+    }
+
+    static double[] log(double[] p) {
+        double[] log = new double[p.length];
+        for (int i = 0; i < p.length; i++) {
+            log[i] = Math.log(p[i]);
+        }
+        return log;
+    }
+
+    /** Uniform over all but {@code x}; over {@code x} if there is nothing else. */
+    static double[] excluding(int x, int n) {
+        double[] p = Simplex.uniform(n);
+        if (n > 1) {
+            p[x] = 0;
+            Simplex.normalise(p, n);
+        }
+        return p;
+    }
+
+    /** The entries but the one at {@code x}. */
+    static double[] dropped(double[] p, int x) {
+        double[] rest = new double[p.length - 1];
+        System.arraycopy(p, 0, rest, 0, x);
+        System.arraycopy(p, x + 1, rest, x, rest.length - x);
+        return rest;
+    }
+}
