@@ -33,6 +33,8 @@ final class CommitOrWait {
     /** At most paid for one increment of a pick, and for all of them. */
     private final double pricePerIncrement;
     private final double pricePerPick;
+    private final double boundOfRightPick;
+    private final double boundOfWrongPick;
     /** The discount of a pick's outcome. */
     private final double lastDiscount;
     private final double perIncrement;
@@ -57,6 +59,10 @@ final class CommitOrWait {
         this.pricePerIncrement = scene.acts().get(picks[0]).type().parameters().reward() + domain.matchBound();
         this.pricePerPick = pricePerIncrement * PickPrice.prices(domain.pickRule(), gamma);
         this.lastDiscount = PickPrice.outcome(domain.pickRule(), gamma);
+        double best = Math.max(Math.max(0, pricePerIncrement) + Math.max(0, domain.pickReward(true)) + Math.max(0, afterHandover),
+                waiting(domain.matchBound()));
+        this.boundOfRightPick = domain.matchBound() + domain.pickReward(true) + gamma * Math.max(0, afterHandover);
+        this.boundOfWrongPick = domain.matchBound() + domain.pickReward(false) + gamma * Math.max(0, best);
         this.perIncrement = domain.pickRule().perIncrement(gamma);
         this.tries = domain.pickRule().tries(gamma);
         this.onAdvance = domain.pickRule().onAdvance(gamma);
@@ -171,19 +177,19 @@ final class CommitOrWait {
 
     // ---- upper bounds, by which the search leaves out what cannot be the best -----------------------------------
 
-    /** On {@link #value} after an act that completes no pick. */
-    double upperBound(HandoverSearch.Node node, ActEffect effect) {
-        if (domain.spec().tau() < 1 || effect.during().target() != null) {
-            return Double.POSITIVE_INFINITY;
+    /** On the match reward of an act that is no pick, and the discounted {@link #value} after it. */
+    double boundWithoutPick(HandoverSearch.Node node) {
+        SearchBelief b = node.b;
+        if (Double.isNaN(b.bound)) {
+            double later = Math.max(asking(node), Math.max(waiting(domain.matchBound()), commitBound(node)));
+            b.bound = domain.matchBound() + domain.discount() * later;
         }
-        return Math.max(asking(node), Math.max(waiting(domain.matchBound()), commitBound(node)));
+        return b.bound;
     }
 
-    /** On {@link #afterPick} of an object that is wanted with probability {@code right}. */
-    double mostAfterPick(double right) {
-        double handedOver = Math.max(0, pricePerIncrement) + Math.max(0, domain.pickReward(true)) + Math.max(0, afterHandover);
-        return right * Math.max(0, afterHandover)
-                + (1 - right) * Math.max(handedOver, Math.max(0, waiting(domain.matchBound())));
+    /** On the match reward and outcome of a pick that completes, and the discounted {@link #afterPick}. */
+    double boundOfPick(double right) {
+        return right * boundOfRightPick + (1 - right) * boundOfWrongPick;
     }
 
     /** On handing over the likeliest object now; as tight as it needs to be to tell whether that can beat asking. */
@@ -192,7 +198,7 @@ final class CommitOrWait {
         if (Double.isNaN(b.commitBound)) {
             int x = b.likeliest();
             double right = b.p[x];
-            b.commitBound = commitBound(search.pickReward(right) + domain.discount() * mostAfterPick(right));
+            b.commitBound = commitBound(boundOfPick(right) - domain.matchBound());
             if (b.commitBound > asking(node)) {
                 Task picking = node.task.effect(picks[x]).during();
                 double afterRejection = right < 1 ? afterRejection(b, x, picking) : 0;

@@ -24,6 +24,8 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
     private final HandoverDomain domain;
     private final int capacity;
     private final int actCapacity;
+    /** Whether what is wanted may change while the robot acts; the bounds then do not hold. */
+    private final boolean moves;
     private final Map<Scene, Evidence> evidence;
     private final Map<Scene, CommitOrWait> commitOrWait = new HashMap<>();
 
@@ -36,6 +38,7 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         this.evidence = evidence;
         this.domain = largest.domain();
         this.capacity = largest.size();
+        this.moves = domain.spec().tau() < 1;
         this.actCapacity = largest.acts().size();
     }
 
@@ -266,13 +269,14 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
     @Override
     public double bound(Node node, int act) {
         ActEffect effect = node.task.effect(act);
-        double reward = effect.reward() + domain.matchBound();
-        if (effect.completes()) {
-            double right = node.b.p[effect.model().target()];
-            return domain.spec().tau() < 1 || effect.stalled() != null ? Double.POSITIVE_INFINITY
-                    : reward + pickReward(right) + domain.discount() * node.policy.mostAfterPick(right);
+        if (moves) {
+            return Double.POSITIVE_INFINITY;
         }
-        return reward + domain.discount() * node.policy.upperBound(node, effect);
+        if (!effect.model().isPick()) {
+            return effect.reward() + node.policy.boundWithoutPick(node);
+        }
+        return effect.completes() && effect.stalled() == null
+                ? effect.reward() + node.policy.boundOfPick(node.b.p[effect.model().target()]) : Double.POSITIVE_INFINITY;
     }
 
     private Evidence evidence(Scene scene) {

@@ -14,6 +14,8 @@ final class SearchBelief {
     double matchUniform;
     /** The value of {@link AskInTurn}; NaN until asked for. */
     double asking;
+    /** Upper bound on what may follow an act that is no pick; NaN until asked for. */
+    double bound;
     /** Upper bound on handing over the likeliest object now; NaN until asked for. */
     double commitBound;
 
@@ -29,6 +31,7 @@ final class SearchBelief {
         rejected = -1;
         matchUniform = Double.NaN;
         asking = Double.NaN;
+        bound = Double.NaN;
         commitBound = Double.NaN;
         return this;
     }
