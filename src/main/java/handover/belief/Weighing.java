@@ -41,7 +41,7 @@ final class Weighing {
 
     /** Whether a yes or no means anything in this step. */
     boolean answerable() {
-        return !answerSettled && (Arrays.stream(step.yes()).anyMatch(p -> p > 0) || Arrays.stream(step.no()).anyMatch(p -> p > 0));
+        return !answerSettled && (Arrays.stream(step.answers().yes()).anyMatch(p -> p > 0) || Arrays.stream(step.answers().no()).anyMatch(p -> p > 0));
     }
 
     double[] logLikelihood(Speech speech) {

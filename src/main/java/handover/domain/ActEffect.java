@@ -1,40 +1,28 @@
 package handover.domain;
 
-import java.util.Arrays;
-
 /**
  * What an act does from a given {@link Task}, apart from beliefs: the task while the human reacts, its price, and who
- * would answer what. Immutable, thread safe; arrays have one entry per object and must not be modified.
+ * would answer what. Immutable, thread safe.
  *
  * @param model the act
  * @param during the task from the act's start until the answer or the pick's outcome
  * @param reward the act's price and annoyance
  * @param completes whether a pick completes, so that the outcome is accepted or rejected and nobody answers
  * @param reference what content words are said in contrast to, null if nothing is open
- * @param yes P(yes | i)
- * @param no P(no | i)
- * @param none P(no answer | i)
+ * @param answers who would answer what
  * @param advance the probability of this effect; 1 unless the act is an increment that may not advance
  * @param stalled the effect if the increment does not advance, null if it surely does
  */
-public record ActEffect(ActModel model, Task during, double reward, boolean completes, ActModel reference, double[] yes,
-        double[] no, double[] none, double advance, ActEffect stalled) {
+public record ActEffect(ActModel model, Task during, double reward, boolean completes, ActModel reference, Answers answers,
+        double advance, ActEffect stalled) {
 
     /** The rest of the step once the pick completed and the table is as in {@code after}: nobody answers. */
     public ActEffect once(Task after) {
-        int n = after.scene().size();
-        double[] never = new double[n];
-        double[] surely = new double[n];
-        Arrays.fill(surely, 1);
-        return new ActEffect(model, after, reward, completes, null, never, never, surely, 1, null);
+        return new ActEffect(model, after, reward, completes, null, after.scene().silence(), 1, null);
     }
 
-    /** P(answer | i) for each object i. */
+    /** P(answer | i) for each object i; not to be modified. */
     public double[] answers(Answer answer) {
-        return switch (answer) {
-            case YES -> yes;
-            case NO -> no;
-            case NONE -> none;
-        };
+        return answers.of(answer);
     }
 }

@@ -238,20 +238,10 @@ public class HandoverDomain implements DomainGenerator {
         boolean moves = progress > 0 && !completes && (pickRule.advance() == 1 || stalled != null);
         Task during = before.with(new Task.Key(open == null ? null : open.act(), Answer.NONE, target, progress,
                 moves ? PickSignal.MOVING : PickSignal.NONE, before.handovers(), false));
-        boolean answerable = match != null && !completes;
-        return new ActEffect(act, during, actReward(before, act), completes, open,
-                answers(Answer.YES, act, match, answerable, before.scene().size()),
-                answers(Answer.NO, act, match, answerable, before.scene().size()),
-                answers(Answer.NONE, act, match, answerable, before.scene().size()),
+        Answers answers = match == null || completes ? before.scene().silence()
+                : before.scene().answers(act, open == null ? act : open);
+        return new ActEffect(act, during, actReward(before, act), completes, open, answers,
                 stalled == null ? 1 : pickRule.advance(), stalled);
-    }
-
-    private double[] answers(Answer answer, ActModel act, double[] match, boolean answerable, int n) {
-        double[] p = new double[n];
-        for (int i = 0; i < n; i++) {
-            p[i] = answerable ? answerProbability(answer, act.type(), match[i]) : answer == Answer.NONE ? 1 : 0;
-        }
-        return p;
     }
 
     // ---- BURLAP --------------------------------------------------------------------------------------------------

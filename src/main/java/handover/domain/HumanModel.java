@@ -98,7 +98,7 @@ public final class HumanModel {
 
     /** The answer at level {@code u} in [0, 1) of P(answer | i), in the order yes, no, none. */
     public static Answer answer(ActEffect effect, int i, double u) {
-        double afterYes = u - effect.yes()[i];
-        return afterYes < 0 ? Answer.YES : afterYes < effect.no()[i] ? Answer.NO : Answer.NONE;
+        double afterYes = u - effect.answers().yes()[i];
+        return afterYes < 0 ? Answer.YES : afterYes < effect.answers().no()[i] ? Answer.NO : Answer.NONE;
     }
 }

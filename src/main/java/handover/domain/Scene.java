@@ -15,10 +15,11 @@ public final class Scene {
     private final HandoverDomain domain;
     private final List<TableObject> objects;
     private final Map<String, Integer> indexOf = new HashMap<>();
-    private final List<ActModel> acts;
-    private final Map<Act, ActModel> models = new HashMap<>();
-    private final Words words;
+    /** What follows from the objects; computed when it is first asked for, because many tables are never played on. */
+    private volatile Tables tables;
     private final Map<Act, Words> contrasted = new ConcurrentHashMap<>();
+    private final Map<Asked, Answers> answers = new ConcurrentHashMap<>();
+    private final Answers silence;
     private final Scene[] without;
     private final Map<Task.Key, Task> tasks = new ConcurrentHashMap<>();
     private final int hash;
@@ -29,11 +30,23 @@ public final class Scene {
         for (TableObject o : objects) {
             indexOf.put(o.name(), indexOf.size());
         }
-        this.acts = modelActs(domain.types(), this.objects);
-        acts.forEach(m -> models.put(m.act(), m));
-        this.words = Words.plain(domain.vocabulary(), this.objects);
+        this.silence = Answers.silence(objects.size());
         this.without = new Scene[objects.size()];
         this.hash = this.objects.hashCode();
+    }
+
+    private record Tables(List<ActModel> acts, Map<Act, ActModel> models, Words words) {}
+
+    private Tables tables() {
+        Tables t = tables;
+        if (t == null) {
+            List<ActModel> acts = modelActs(domain.types(), objects);
+            Map<Act, ActModel> models = new HashMap<>();
+            acts.forEach(m -> models.put(m.act(), m));
+            t = new Tables(List.copyOf(acts), models, Words.plain(domain.vocabulary(), objects));
+            tables = t;
+        }
+        return t;
     }
 
     public HandoverDomain domain() {
@@ -56,11 +69,12 @@ public final class Scene {
 
     /** All acts, type by type. */
     public List<ActModel> acts() {
-        return acts;
+        return tables().acts;
     }
 
     /** The model of an act, null if the act is not on offer here. Its objects may be named in any order. */
     public ActModel model(Act act) {
+        Map<Act, ActModel> models = tables().models;
         ActModel model = models.get(act);
         if (model == null && act.objects().size() > 1) {
             List<String> inTableOrder = act.objects().stream().sorted(Comparator.comparingInt(this::indexOf)).toList();
@@ -72,8 +86,23 @@ public final class Scene {
     /** p(word | i), in contrast to an open reference if it is not null (MODEL 4.1). */
     public Words words(ActModel reference) {
         double eta = domain.spec().speech().contrast();
-        return eta == 0 || reference == null ? words : contrasted.computeIfAbsent(reference.act(),
-                act -> words.contrast(domain.vocabulary(), objects, act, eta));
+        Words plain = tables().words;
+        return eta == 0 || reference == null ? plain : contrasted.computeIfAbsent(reference.act(),
+                act -> plain.contrast(domain.vocabulary(), objects, act, eta));
+    }
+
+    /** An act of a type, and the act whose reference it leaves open (often itself). */
+    private record Asked(String verb, Act reference) {}
+
+    /** Who answers what to an act; {@code reference} is what the human then takes to be asked about. */
+    Answers answers(ActModel act, ActModel reference) {
+        return answers.computeIfAbsent(new Asked(act.type().verb(), reference.act()),
+                a -> Answers.to(domain, act.type(), reference.match()));
+    }
+
+    /** Nobody answers. */
+    Answers silence() {
+        return silence;
     }
 
     /** The same table without object {@code i}. */

@@ -37,7 +37,7 @@ public final class Task {
         this.scene = scene;
         this.key = key;
         this.hash = Objects.hash(scene, key);
-        this.effects = new ActEffect[scene.acts().size()];
+        this.effects = key.done ? new ActEffect[0] : new ActEffect[scene.acts().size()];
     }
 
     public Scene scene() {

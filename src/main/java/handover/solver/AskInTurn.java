@@ -17,6 +17,8 @@ import handover.math.Simplex;
  * follows a yes. Used by one thread at a time.
  */
 final class AskInTurn {
+    /** Longer paths are not followed. */
+    private static final int MOST_QUESTIONS = 24;
     /** What is left of the path when it is not worth following. */
     private static final double NEGLIGIBLE = 0.02;
 
@@ -64,10 +66,10 @@ final class AskInTurn {
         double value = 0;
         double discount = 1;
         double mass = 1;
-        for (int k = 0; k < 2 * n && mass > NEGLIGIBLE; k++) {
+        for (int k = 0; k < Math.min(2 * n, MOST_QUESTIONS) && mass > NEGLIGIBLE; k++) {
             int x = Simplex.argmax(left, n);
             ActEffect effect = task.effect(asks[x].index());
-            double[] yes = effect.yes();
+            double[] yes = effect.answers().yes();
             double right = left[x] * yes[x];
             double yesMass = 0;
             for (int i = 0; i < n; i++) {

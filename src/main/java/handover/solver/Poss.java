@@ -37,13 +37,21 @@ public record Poss(int horizon, int width, boolean leaves) implements Solver {
 
     @Override
     public Policy solve(HandoverDomain domain, RandomGenerator random) {
-        return new Searching();
+        Searching policy = new Searching();
+        policy.prepare(domain.start());
+        return policy;
     }
 
     /** Shares what is computed once per scene; each decision borrows a search for itself. */
     private final class Searching implements Policy {
         private final ConcurrentMap<Scene, Evidence> evidence = new ConcurrentHashMap<>();
         private final ConcurrentMap<Scene, ConcurrentLinkedDeque<Search>> idle = new ConcurrentHashMap<>();
+
+        /** Computes what a first decision would otherwise wait for. */
+        void prepare(Scene scene) {
+            evidence.computeIfAbsent(scene, Evidence::new);
+            idle.computeIfAbsent(scene, s -> new ConcurrentLinkedDeque<>()).add(new Search(scene));
+        }
 
         @Override
         public Decision decide(HandoverBelief belief, Deadline deadline, RandomGenerator random) {

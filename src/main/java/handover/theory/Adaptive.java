@@ -4,8 +4,8 @@ import handover.math.MatchScore;
 import org.ejml.data.DMatrixRMaj;
 
 /**
- * Exact as long as that is affordable: atoms, projected to one Dirichlet when they become more than {@code limit}, which it then
- * stays. Immutable, thread safe.
+ * Exact as long as that is affordable: atoms, projected to one Dirichlet when they become more than {@code limit}, which
+ * it then stays. Immutable, thread safe.
  *
  * @param now atoms or a Dirichlet
  * @param limit how many atoms are affordable, at least 1

@@ -8,9 +8,9 @@ import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
  * B as finitely many beliefs with weights. Exact from a known start: every act multiplies the atoms by the number of acts
- * that may have been perceived, and equal ones (each entry within {@link #TOLERANCE}, relatively) are merged. If nothing moves (T = 1),
- * the order in which acts were perceived does not matter, and the number of atoms stays polynomial in the number of acts.
- * Immutable, thread safe; arrays must not be modified.
+ * that may have been perceived, and equal ones (each entry within {@link #TOLERANCE}, relatively) are merged. If nothing
+ * moves (T = 1), the order in which acts were perceived does not matter, and the number of atoms stays polynomial in the
+ * number of acts. Immutable, thread safe; arrays must not be modified.
  *
  * @param weights one per atom, summing to one; copied
  * @param points one belief per atom, each over n objects and summing to one
@@ -18,8 +18,8 @@ import org.ejml.dense.row.CommonOps_DDRM;
  */
 public record Atoms<S extends Agent<?, ?>>(double[] weights, List<double[]> points) implements Nested<S> {
     /**
-     * Beliefs all of whose entries agree to this relative precision are the same atom. Relative, because a belief next to a vertex
-     * must keep what it holds possible: with T = 1 later acts can bring it back.
+     * Beliefs all of whose entries agree to this relative precision are the same atom. Relative, because a belief next to
+     * a vertex must keep what it holds possible: with T = 1 later acts can bring it back.
      */
     public static final double TOLERANCE = 1e-12;
 
@@ -99,10 +99,11 @@ public record Atoms<S extends Agent<?, ?>>(double[] weights, List<double[]> poin
         Weights.sameSize("perceived act", size(), act.objects());
         List<double[]> next = new ArrayList<>(count() * act.size());
         double[] w = new double[count() * act.size()];
-        for (int k = 0; k < weights.length; k++) {
-            for (int a = 0; a < act.size(); a++) {
+        for (int a = 0; a < act.size(); a++) {
+            double[] likelihood = act.messages().get(a).likelihood();
+            for (int k = 0; k < weights.length; k++) {
                 w[next.size()] = weights[k] * act.probabilities()[a];
-                next.add(Categorical.corrected(points.get(k), act.messages().get(a).likelihood()));
+                next.add(Categorical.corrected(points.get(k), likelihood));
             }
         }
         return Merging.merged(w, next);

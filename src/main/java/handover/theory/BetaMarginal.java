@@ -5,8 +5,8 @@ import org.hipparchus.special.Beta;
 import org.hipparchus.special.Gamma;
 
 /**
- * One entry beta_j of a Dirichlet belief: Beta(a, b) with a = alpha_0 m, b = alpha_0 (1 - m), or its limits, a point (alpha_0
- * infinite) and two vertices (alpha_0 = 0). Immutable, thread safe.
+ * One entry beta_j of a Dirichlet belief: Beta(a, b) with a = alpha_0 m, b = alpha_0 (1 - m), or its limits, a point
+ * (alpha_0 infinite) and two vertices (alpha_0 = 0). Immutable, thread safe.
  *
  * @param mean m in [0, 1]
  * @param concentration alpha_0 in [0, infinity]
@@ -15,9 +15,11 @@ record BetaMarginal(double mean, double concentration) {
     private static final double NEGLIGIBLE = 39;
     /** Beyond this logit x is 0 or 1 to rounding. */
     private static final double EDGE = 45;
+    /** Above this the variance is below rounding. */
+    private static final double POINT = 1e12;
 
     private boolean point() {
-        return !(mean > 0) || mean >= 1 || concentration == Double.POSITIVE_INFINITY;
+        return !(mean > 0) || mean >= 1 || concentration > POINT;
     }
 
     /**

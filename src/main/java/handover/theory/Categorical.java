@@ -61,10 +61,13 @@ public record Categorical<S extends Agent<?, ?>>(double[] probabilities) {
 
     /** Bayes' rule on raw arrays, not modified: a new array, a copy of {@code p} if sum p l = 0. */
     static double[] corrected(double[] p, double[] likelihood) {
-        double[] l = scaled(likelihood);
+        double max = 0;
+        for (double l : likelihood) {
+            max = Math.max(max, l);
+        }
         double[] out = new double[p.length];
-        for (int i = 0; i < p.length; i++) {
-            out[i] = l[i] * p[i];
+        for (int i = 0; i < p.length && max > 0; i++) {
+            out[i] = likelihood[i] / max * p[i];
         }
         return Simplex.normalise(out, out.length) > 0 ? out : p.clone();
     }

@@ -8,16 +8,20 @@ import java.util.List;
  * Merges near beliefs. Centres are chosen one after the other, first the heaviest belief, then always the one whose weight
  * times squared distance to the nearest centre is largest; every belief joins its nearest centre. Cost: atoms times limit.
  *
- * <p>Source: Gonzalez, "Clustering to minimize the maximum intercluster distance", 1985, with weights; the Hellinger distance
- * ||sqrt p - sqrt q|| because an update stretches differences between small probabilities.
+ * <p>Source: Gonzalez, "Clustering to minimize the maximum intercluster distance", 1985, with weights; the Hellinger
+ * distance ||sqrt p - sqrt q|| because an update stretches differences between small probabilities.
  */
 final class Clustering {
     private Clustering() {}
 
     /** At most {@code limit} atoms with the same mean. */
     static <S extends Agent<?, ?>> Atoms<S> reduced(Atoms<S> atoms, int limit) {
-        double[] w = atoms.weights();
-        double[][] roots = atoms.points().stream().map(Clustering::roots).toArray(double[][]::new);
+        return means(atoms, groups(atoms.weights(), atoms.points(), limit));
+    }
+
+    /** To which of at most {@code limit} clusters, counted from 0, each belief belongs; the arguments are not modified. */
+    static int[] groups(double[] w, List<double[]> points, int limit) {
+        double[][] roots = points.stream().map(Clustering::roots).toArray(double[][]::new);
         double[] distance = new double[w.length];
         Arrays.fill(distance, Double.POSITIVE_INFINITY);
         int[] cluster = new int[w.length];
@@ -25,12 +29,11 @@ final class Clustering {
         for (int k = 1; k < w.length; k++) {
             centre = w[k] > w[centre] ? k : centre;
         }
-        int count = 0;
-        while (count < limit && centre >= 0) {
-            join(roots, centre, count++, distance, cluster);
+        for (int count = 0; count < limit && centre >= 0; count++) {
+            join(roots, centre, count, distance, cluster);
             centre = worst(w, distance);
         }
-        return means(atoms, cluster, count);
+        return cluster;
     }
 
     private static double[] roots(double[] p) {
@@ -64,7 +67,8 @@ final class Clustering {
         return worst;
     }
 
-    private static <S extends Agent<?, ?>> Atoms<S> means(Atoms<S> atoms, int[] cluster, int count) {
+    private static <S extends Agent<?, ?>> Atoms<S> means(Atoms<S> atoms, int[] cluster) {
+        int count = Arrays.stream(cluster).max().orElse(-1) + 1;
         double[] weights = new double[count];
         double[][] means = new double[count][atoms.size()];
         for (int k = 0; k < cluster.length; k++) {

@@ -1,14 +1,13 @@
 package handover.theory;
 
 import handover.math.MatchScore;
-import java.util.List;
 import org.ejml.data.DMatrixRMaj;
 
 /**
- * B as at most {@code limit} weighted beliefs, without chance: exact until more are possible, then near ones (in the Hellinger
- * distance) are replaced by their weighted mean. A merge leaves E[beta] as it is and loses the variance within the cluster.
- * Where B has several peaks (an act was seen or it was missed), which no Dirichlet has, this is the representation for a robot;
- * docs/theory.md has the numbers. Immutable, thread safe.
+ * B as at most {@code limit} weighted beliefs, without chance: exact until more are possible, then near ones (in the
+ * Hellinger distance) are replaced by their weighted mean. A merge leaves E[beta] as it is and loses the variance within
+ * the cluster. Where B has several peaks (an act was seen or it was missed), which no Dirichlet has, this is the
+ * representation for a robot; docs/theory.md has the numbers. Immutable, thread safe.
  *
  * @param atoms the beliefs
  * @param limit how many are kept, at least 1
@@ -26,11 +25,6 @@ public record Clusters<S extends Agent<?, ?>>(Atoms<S> atoms, int limit) impleme
     /** From a known belief of the other. */
     public static <S extends Agent<?, ?>> Clusters<S> certain(Categorical<S> beta, int limit) {
         return new Clusters<>(Atoms.certain(beta), limit);
-    }
-
-    /** The beliefs, each with n entries. */
-    public List<double[]> points() {
-        return atoms.points();
     }
 
     @Override

@@ -3,8 +3,9 @@ package handover.theory;
 import handover.math.Simplex;
 
 /**
- * The rule that suggests itself and is wrong: add to alpha what was said, alpha_j += sum_a~ P(a~ | a) lambda(a~ | j) / sum_k
- * lambda(a~ | k). It treats an act as a draw from beta, while it is evidence that <em>moves</em> beta; kept for comparison.
+ * The rule that suggests itself and is wrong: add to alpha what was said, alpha_j += sum_a~ P(a~ | a) lambda(a~ | j) /
+ * sum_k lambda(a~ | k). It treats an act as a draw from beta, while it is evidence that <em>moves</em> beta; kept for
+ * comparison.
  */
 public final class Counting {
     private Counting() {}

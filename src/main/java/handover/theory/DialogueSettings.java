@@ -1,9 +1,9 @@
 package handover.theory;
 
 /**
- * What random dialogues are like: objects side by side within 1.2 rad, the robot points at them with p(point at a | i) as in
- * MODEL 3.1, its acts drawn as that model says for an object that it has chosen; the human may miss an act or take it for
- * another.
+ * What random dialogues are like: objects side by side within 1.2 rad, the robot points at them with p(point at a | i) as
+ * in MODEL 3.1, its acts drawn as that model says for an object that it has chosen; the human may miss an act or take it
+ * for another.
  *
  * @param objects n, at least 1
  * @param acts how many the robot does

@@ -1,8 +1,8 @@
 package handover.theory;
 
 /**
- * psi(x) to rounding. Hipparchus' {@code Gamma.digamma} (4.0.3) is off by 3e-9 everywhere, which is more than the log moments
- * are worth. Source: Abramowitz and Stegun 6.3.5 (recurrence) and 6.3.18 (asymptotic series).
+ * psi(x) to rounding. Hipparchus' {@code Gamma.digamma} (4.0.3) is off by 3e-9 everywhere, which is more than the log
+ * moments are worth. Source: Abramowitz and Stegun 6.3.5 (recurrence) and 6.3.18 (asymptotic series).
  */
 final class Digamma {
     /** From here on the series below is exact to 1e-17. */

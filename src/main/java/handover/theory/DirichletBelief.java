@@ -8,9 +8,10 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * B as one Dirichlet, alpha = alpha_0 m, with its two limits: alpha_0 = infinity is certainty that beta = m, alpha_0 = 0 says
- * that the other is sure of one object, of j with probability m_j. Every update forms the exact mean and second moments of
- * what the Dirichlet becomes and projects them back (MODEL 8). Immutable, thread safe; the array must not be modified.
+ * B as one Dirichlet, alpha = alpha_0 m, with its two limits: alpha_0 = infinity is certainty that beta = m, alpha_0 = 0
+ * says that the other is sure of one object, of j with probability m_j. Every update forms the exact mean and second
+ * moments of what the Dirichlet becomes and projects them back (MODEL 8). Immutable, thread safe; the array must not be
+ * modified.
  *
  * @param mean m = E[beta], n entries, summing to one; copied
  * @param concentration alpha_0 in [0, infinity]
@@ -19,18 +20,28 @@ import org.ejml.dense.row.CommonOps_DDRM;
  */
 public record DirichletBelief<S extends Agent<?, ?>>(double[] mean, double concentration, Projection projection)
         implements Nested<S> {
+    /** A smaller concentration is none: its reciprocal would overflow. */
+    private static final double SMALLEST = 1e-200;
+    /** A larger one is certainty: its square would overflow, and the variance is below rounding. */
+    private static final double LARGEST = 1e100;
+
     /** Throws {@link IllegalArgumentException} if the mean is no distribution or the concentration negative. */
     public DirichletBelief {
         mean = Weights.distribution("mean", mean);
         if (!(concentration >= 0)) {
             throw new IllegalArgumentException("concentration: expected a number >= 0 or infinity, got " + concentration);
         }
+        concentration = concentration < SMALLEST ? 0
+                : concentration > LARGEST ? Double.POSITIVE_INFINITY : concentration;
     }
 
     /** Dir(alpha). Throws {@link IllegalArgumentException} if an entry is negative or none is positive. */
     public static <S extends Agent<?, ?>> DirichletBelief<S> of(double[] alpha, Projection projection) {
         double[] m = Weights.checked("alpha", alpha);
         double total = Simplex.normalise(m, m.length);
+        if (!(total > 0)) {
+            throw new IllegalArgumentException("alpha: expected a positive entry, got " + Arrays.toString(alpha));
+        }
         return new DirichletBelief<>(m, total, projection);
     }
 
@@ -76,7 +87,9 @@ public record DirichletBelief<S extends Agent<?, ?>>(double[] mean, double conce
         return s;
     }
 
-    /** E[log beta_j] = psi(alpha_j) - psi(alpha_0), one entry per object; -infinity where an object may be excluded. */
+    /**
+     * E[log beta_j] = psi(alpha_j) - psi(alpha_0), one entry per object; -infinity where an object is or may be excluded.
+     */
     public double[] meanLog() {
         double[] g = new double[size()];
         for (int j = 0; j < g.length; j++) {
@@ -129,7 +142,7 @@ public record DirichletBelief<S extends Agent<?, ?>>(double[] mean, double conce
 
     private boolean possible(double[] likelihood) {
         for (int j = 0; j < mean.length; j++) {
-            if (mean[j] * likelihood[j] > 0) {
+            if ((limit() ? mean[j] : mean[j] * concentration) > 0 && likelihood[j] > 0) {
                 return true;
             }
         }
@@ -153,8 +166,8 @@ public record DirichletBelief<S extends Agent<?, ?>>(double[] mean, double conce
     }
 
     /**
-     * The exact posterior is the mixture of Dir(alpha + e_j) with the weights w_j = l_j alpha_j / sum_k l_k alpha_k; its mean is
-     * (alpha + w) / (alpha_0 + 1), and it is projected.
+     * The exact posterior is the mixture of Dir(alpha + e_j) with the weights w_j = l_j alpha_j / sum_k l_k alpha_k; its
+     * mean is (alpha + w) / (alpha_0 + 1), and it is projected.
      */
     @Override
     public DirichletBelief<S> given(Evidence<S> evidence) {
@@ -196,7 +209,10 @@ public record DirichletBelief<S extends Agent<?, ?>>(double[] mean, double conce
         };
     }
 
-    /** E_B[sum_j b_j log beta_j] = sum_j b_j (psi(alpha_j) - psi(alpha_0)): the log score without smoothing, at least -infinity. */
+    /**
+     * E_B[sum_j b_j log beta_j] = sum_j b_j (psi(alpha_j) - psi(alpha_0)): the log score without smoothing, at least
+     * -infinity.
+     */
     public double expectedLog(double[] b) {
         double[] g = meanLog();
         double s = 0;

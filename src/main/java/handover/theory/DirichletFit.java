@@ -19,8 +19,8 @@ final class DirichletFit {
     }
 
     /**
-     * alpha with psi(alpha_j) - psi(alpha_0) = g_j. For a given alpha_0 each alpha_j follows, so that one unknown is left; the
-     * surplus sum_j alpha_j(alpha_0) - alpha_0 changes its sign once, and bisection in log alpha_0 cannot fail.
+     * alpha with psi(alpha_j) - psi(alpha_0) = g_j. For a given alpha_0 each alpha_j follows, so that one unknown is
+     * left; the surplus sum_j alpha_j(alpha_0) - alpha_0 changes its sign once, and bisection in log alpha_0 cannot fail.
      *
      * @param meanLog g_j = E[log beta_j], finite; not modified
      * @return alpha; null if it is a point mass to rounding (alpha_0 would exceed 1e9)

@@ -2,7 +2,10 @@ package handover.theory;
 
 import java.util.random.RandomGenerator;
 
-/** Draws from gamma and Dirichlet distributions. Source: Marsaglia and Tsang, "A simple method for generating gamma variables", 2000. */
+/**
+ * Draws from gamma and Dirichlet distributions. Source: Marsaglia and Tsang, "A simple method for generating gamma
+ * variables", 2000.
+ */
 final class GammaVariates {
     private GammaVariates() {}
 

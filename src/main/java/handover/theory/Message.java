@@ -27,7 +27,10 @@ public record Message<S extends Agent<?, ?>>(double[] likelihood) {
         return likelihood.length;
     }
 
-    /** Whether every object is equally likely, so that a belief is only propagated; so it is if none is possible (MODEL 4.3). */
+    /**
+     * Whether every object is equally likely, so that a belief is only propagated; so it is if none is possible (MODEL
+     * 4.3).
+     */
     public boolean uninformative() {
         for (double l : likelihood) {
             if (l != likelihood[0]) {

@@ -1,8 +1,9 @@
 package handover.theory;
 
 /**
- * One of the two agents at its own time: the robot &lt;i, b, B&gt; at t, the human &lt;iota, beta, B&gt; at tau = t + 1/2. The
- * report writes the robot's; the human's is the same with the roles exchanged. Immutable; thread safe if {@code nested} is.
+ * One of the two agents at its own time: the robot &lt;i, b, B&gt; at t, the human &lt;iota, beta, B&gt; at tau = t +
+ * 1/2. The report writes the robot's; the human's is the same with the roles exchanged. Immutable; thread safe if {@code
+ * nested} is.
  *
  * @param now when it acts next
  * @param own item level: its own choice, given what the other did
@@ -20,8 +21,8 @@ public record Mind<Self extends Agent<Self, Other>, Other extends Agent<Other, S
     /**
      * It acts: only B moves, because the other will have perceived the act, or something like it, half a step later.
      *
-     * @param t how the other thinks that the own choice has moved since the last act (MODEL 3.2: T_tau_H, or the compliance that
-     *     the other expects)
+     * @param t how the other thinks that the own choice has moved since the last act (MODEL 3.2: T_tau_H, or the
+     *     compliance that the other expects)
      * @param act what the other may perceive
      */
     public Mind<Self, Other> acts(Transition<Self> t, Perception<Self> act) {
@@ -29,8 +30,8 @@ public record Mind<Self extends Agent<Self, Other>, Other extends Agent<Other, S
     }
 
     /**
-     * The other acts, half a step after this one: the own choice may comply, b is updated, and B is corrected by what the act
-     * says about the other's belief. A whole step of the own clock passes.
+     * The other acts, half a step after this one: the own choice may comply, b is updated, and B is corrected by what the
+     * act says about the other's belief. A whole step of the own clock passes.
      *
      * @param when the other acted; must be half a step after this agent's moment
      * @param t how the other's choice moves

@@ -4,10 +4,10 @@ import handover.math.MatchScore;
 import org.ejml.data.DMatrixRMaj;
 
 /**
- * Dirichlet level: the belief B of {@code S} about what the other believes about the choice of {@code S}, a distribution over
- * beta. {@code Nested<Robot>} is the robot's. Representations of the same thing: exact {@link Atoms}, boundedly many {@link Clusters},
- * sampled {@link Particles}, one {@link DirichletBelief}, and {@link Adaptive}, which begins exact and changes to a Dirichlet. All but
- * {@link Particles} are immutable and thread safe.
+ * Dirichlet level: the belief B of {@code S} about what the other believes about the choice of {@code S}, a distribution
+ * over beta. {@code Nested<Robot>} is the robot's. Representations of the same thing: exact {@link Atoms}, boundedly many
+ * {@link Clusters}, sampled {@link Particles}, one {@link DirichletBelief}, and {@link Adaptive}, which begins exact and
+ * changes to a Dirichlet. All but {@link Particles} are immutable and thread safe.
  *
  * @param <S> who holds B, and whose choice beta is about
  */
@@ -16,7 +16,7 @@ public sealed interface Nested<S extends Agent<?, ?>> permits Atoms, Clusters, P
     /** How many objects. */
     int size();
 
-    /** E[beta], n entries that sum to one, as a new array. */
+    /** E[beta], n entries that sum to one; the array must not be modified. */
     double[] mean();
 
     /** q = E ||beta||^2 = sum_j E[beta_j^2], in [1/n, 1]. */
@@ -35,8 +35,8 @@ public sealed interface Nested<S extends Agent<?, ?>> permits Atoms, Clusters, P
     Nested<S> given(Evidence<S> evidence);
 
     /**
-     * E_B[S(b, beta)], the match reward under uncertainty about beta (MODEL 6). BRIER, LINEAR, L2 and L1 in closed form; the
-     * others, for a Dirichlet, by quadrature over its Beta marginals, within 1e-9.
+     * E_B[S(b, beta)], the match reward under uncertainty about beta (MODEL 6). BRIER, LINEAR, L2 and L1 in closed form;
+     * the others, for a Dirichlet, by quadrature over its Beta marginals, within 1e-9.
      *
      * @param b the robot's belief, n entries; not modified
      */

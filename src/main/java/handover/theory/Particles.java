@@ -10,13 +10,13 @@ import org.ejml.data.DMatrixRMaj;
 /**
  * B as at most {@code limit} weighted beliefs: the Rao-Blackwellised reference. Given what was perceived, beta is a known
  * function, so only the perceived acts are chance; of these the last one is summed out exactly (every particle goes on as
- * every act that it may have perceived), and chance enters only where more than {@code limit} beliefs are left: the heavy ones
- * stay as they are, the light ones are resampled without bias. Up to the limit it is exact.
+ * every act that it may have perceived), and chance enters only where more than {@code limit} beliefs are left: the heavy
+ * ones stay as they are, the light ones are resampled without bias. Up to the limit it is exact.
  *
  * <p>Not thread safe: it draws from the generator that it was made with, as do all the beliefs that follow from it.
  *
- * <p>Source: Fearnhead and Clifford, "On-line inference for hidden Markov models via particle filters", 2003 (the resampling);
- * Doucet et al., "Rao-Blackwellised particle filtering for dynamic Bayesian networks", 2000.
+ * <p>Source: Fearnhead and Clifford, "On-line inference for hidden Markov models via particle filters", 2003 (the
+ * resampling); Doucet et al., "Rao-Blackwellised particle filtering for dynamic Bayesian networks", 2000.
  *
  * @param atoms the particles
  * @param limit how many are kept, at least 1

@@ -6,8 +6,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * What the other may have perceived of one act of {@code S}: the acts a~ with their probabilities P(a~ | a). A missed act is
- * {@link Message#nothing}. Immutable, thread safe.
+ * What the other may have perceived of one act of {@code S}: the acts a~ with their probabilities P(a~ | a). A missed act
+ * is {@link Message#nothing}. Immutable, thread safe.
  *
  * @param probabilities P(a~ | a), one per message, summing to one; copied
  * @param messages what each a~ says; equally many

@@ -8,9 +8,9 @@ public enum Projection {
      */
     MOMENTS,
     /**
-     * The one with the same E[log beta_j], which is the nearest in KL(p || Dirichlet) and keeps the expected log score exact,
-     * but not the mean. Where an object is excluded with some probability (an infinite logarithm), MOMENTS takes its place.
-     * Minka, "Estimating a Dirichlet distribution", 2000.
+     * The one with the same E[log beta_j], which is the nearest in KL(p || Dirichlet) and keeps the expected log score
+     * exact, but not the mean. Where an object is excluded with some probability (an infinite logarithm), MOMENTS takes
+     * its place. Minka, "Estimating a Dirichlet distribution", 2000.
      */
     LOG_MOMENTS
 }

@@ -6,8 +6,8 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
-import java.util.random.RandomGenerator.SplittableGenerator;
 
 /**
  * What each approximation of B costs in accuracy, against particles, over random dialogues.
@@ -40,10 +40,10 @@ public record ProjectionStudy(DialogueSettings settings, Map<Method, List<Deviat
      * @param random advanced
      */
     public static ProjectionStudy run(DialogueSettings settings, int dialogues, int particles, int clusters,
-            SplittableGenerator random) {
+            RandomGenerator random) {
         Map<Method, List<Deviation>> all = new EnumMap<>(Method.class);
         for (int k = 0; k < dialogues; k++) {
-            SplittableGenerator own = random.split();
+            RandomGenerator own = new SplittableRandom(random.nextLong());
             Dialogue dialogue = Dialogue.random(settings, own);
             Particles<Robot> reference = reference(settings, particles, own);
             Nested<Robot> right = dialogue.follow(reference);
@@ -85,7 +85,10 @@ public record ProjectionStudy(DialogueSettings settings, Map<Method, List<Deviat
         return d.isEmpty() ? 1 : d.stream().filter(x -> x.l1() < l1).count() / (double) d.size();
     }
 
-    /** The L1 error of the mean that a share of {@code level} (in [0, 1]) of the dialogues does not exceed; NaN if there was none. */
+    /**
+     * The L1 error of the mean that a share of {@code level} (in [0, 1]) of the dialogues does not exceed; NaN if there
+     * was none.
+     */
     public double quantile(Method method, double level) {
         double[] sorted = of(method).stream().mapToDouble(Deviation::l1).sorted().toArray();
         return sorted.length == 0 ? Double.NaN : sorted[(int) Math.round(level * (sorted.length - 1))];

@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.random.RandomGenerator;
 
 /**
- * Reduces weighted beliefs to fewer without bias and with the least expected squared change of the weights: with the c that
- * solves sum_k min(w_k / c, 1) = limit, weights of at least c stay, the others survive with probability w_k / c, chosen by one
- * systematic draw, and then weigh c.
+ * Reduces weighted beliefs to fewer without bias and with the least expected squared change of the weights: with the c
+ * that solves sum_k min(w_k / c, 1) = limit, weights of at least c stay, the others survive with probability w_k / c,
+ * chosen by one systematic draw, and then weigh c.
  *
  * <p>Source: Fearnhead and Clifford, 2003, section 3.2.
  */

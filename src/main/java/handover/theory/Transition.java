@@ -22,7 +22,9 @@ public record Transition<S extends Agent<?, ?>>(DMatrixRMaj matrix) {
         matrix = matrix.copy();
     }
 
-    /** T_stay over {@code n} objects (MODEL 1): stays with probability {@code stay}, else moves to another one uniformly. */
+    /**
+     * T_stay over {@code n} objects (MODEL 1): stays with probability {@code stay}, else moves to another one uniformly.
+     */
     public static <S extends Agent<?, ?>> Transition<S> stay(int n, double stay) {
         double move = n == 1 ? 0 : (1 - Weights.probability("stay", stay)) / (n - 1);
         DMatrixRMaj t = new DMatrixRMaj(n, n);

@@ -20,7 +20,10 @@ final class Weights {
         return w.clone();
     }
 
-    /** A copy of {@code p}. Throws {@link IllegalArgumentException} unless it is a distribution (its sum within 1e-9 of 1). */
+    /**
+     * A copy of {@code p}. Throws {@link IllegalArgumentException} unless it is a distribution (its sum within 1e-9 of
+     * 1).
+     */
     static double[] distribution(String name, double[] p) {
         double[] copy = checked(name, p);
         double s = 0;

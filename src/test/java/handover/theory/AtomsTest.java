@@ -118,7 +118,10 @@ class AtomsTest {
         assertArrayEquals(exact.mean(), clusters.mean(), 1e-15);
     }
 
-    /** The threshold solves its equation, and the survivors of 20,000 reductions average to the weights (4 sigma, 6 of them). */
+    /**
+     * The threshold solves its equation, and the survivors of 20,000 reductions average to the weights (4 sigma, 6 of
+     * them).
+     */
     @Test
     void resamplingIsUnbiased() {
         SplittableRandom random = new SplittableRandom(5);
@@ -151,7 +154,7 @@ class AtomsTest {
         Particles<Robot> many = Particles.of(DirichletBelief.of(RandomDirichlets.alpha(n, random), Projection.MOMENTS), 60,
                 random);
         Clusters<Robot> few = new Clusters<>(many.atoms(), limit);
-        assertTrue(few.points().size() <= limit);
+        assertTrue(few.atoms().count() <= limit);
         assertArrayEquals(many.mean(), few.mean(), 1e-12);
         assertTrue(few.variance() <= many.variance() + 1e-12);
     }

@@ -177,7 +177,10 @@ class DirichletBeliefTest {
         assertArrayEquals(b.mean(), b.sample(new SplittableRandom(1)));
     }
 
-    /** The other is sure of one object, only of which is open: an act cannot move it, evidence weighs, a prediction spreads. */
+    /**
+     * The other is sure of one object, only of which is open: an act cannot move it, evidence weighs, a prediction
+     * spreads.
+     */
     @Test
     void verticesAreTheOtherLimit() {
         DirichletBelief<Robot> b = new DirichletBelief<>(new double[] {0.5, 0.5}, 0, Projection.MOMENTS);
@@ -238,6 +241,23 @@ class DirichletBeliefTest {
         b = b.predicted(t).perceived(RandomTheory.perception(4, random)).given(new Evidence<>(new double[] {1, 2, 3, 4}));
         assertFalse(b.exact());
         assertEquals(1, Arrays.stream(b.mean()).sum(), 1e-12);
+    }
+
+    /** No shape of a Dirichlet, however extreme, is refused or gives something that is no distribution. */
+    @Property(tries = 300)
+    void extremesStayFinite(@ForAll @IntRange(min = 1, max = 6) int n, @ForAll @IntRange(min = -320, max = 300) int exponent,
+            @ForAll Projection projection, @ForAll long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        DirichletBelief<Robot> b = new DirichletBelief<>(RandomDirichlets.belief(n, random), Math.pow(10, exponent),
+                projection);
+        for (int k = 0; k < 3; k++) {
+            Perception<Robot> act = new Perception<>(new double[] {0.7, 0.3}, List.of(new Message<>(
+                    RandomDirichlets.likelihood(n, random)), new Message<>(RandomDirichlets.likelihood(n, random))));
+            b = b.perceived(act).given(new Evidence<>(RandomDirichlets.likelihood(n, random)));
+            assertEquals(1, Arrays.stream(b.mean()).sum(), 1e-9);
+            assertTrue(b.meanSquare() <= 1 + 1e-12 && b.concentration() >= 0);
+            b = b.predicted(Transition.stay(n, k == 1 ? 0.9 : 1));
+        }
     }
 
     @Test

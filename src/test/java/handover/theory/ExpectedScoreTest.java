@@ -72,6 +72,8 @@ class ExpectedScoreTest {
     @Test
     void absoluteDeviationByHand() {
         assertEquals(-(0.3 * 0.3 + 0.7 * 0.7), dirichlet(1, 1).expected(MatchScore.L1, new double[] {0.3, 0.7}), 1e-12);
+        assertEquals(-(0.25 + 0.25), dirichlet(1, 3).expected(MatchScore.L1, Simplex.vertex(2, 1)), 1e-12);
+        assertEquals(-1.5, dirichlet(1e7, 3e7).expected(MatchScore.L1, Simplex.vertex(2, 0)), 1e-6);
     }
 
     /** The limits are what they stand for: a known belief, and vertices. */
@@ -87,6 +89,10 @@ class ExpectedScoreTest {
         }
         assertEquals(vertices, new DirichletBelief<Robot>(beta, 0, Projection.MOMENTS).expected(score, B), 1e-12);
         assertEquals(vertices, new DirichletBelief<Robot>(beta, 1e-9, Projection.MOMENTS).expected(score, B), 1e-6);
+        for (double big : new double[] {1e11, 1e13, 1e300}) {
+            assertEquals(score.of(B, beta, 3), new DirichletBelief<Robot>(beta, big, Projection.MOMENTS)
+                    .expected(score, B), 1e-5);
+        }
     }
 
     /** Atoms and their projection agree on every score that depends on the mean and E ||beta||^2 alone. */

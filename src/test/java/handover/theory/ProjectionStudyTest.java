@@ -16,8 +16,8 @@ class ProjectionStudyTest {
     }
 
     /**
-     * Fixed seed, 20 dialogues. Clusters keep the mean within 0.01 (L1) in at least 95% of them; one Dirichlet does not, and the
-     * test says so, so that the documentation stays true; counting is worse by far.
+     * Fixed seed, 20 dialogues. Clusters keep the mean within 0.01 (L1) in at least 95% of them; one Dirichlet does not,
+     * and the test says so, so that the documentation stays true; counting is worse by far.
      */
     @ParameterizedTest
     @ValueSource(ints = {2, 3, 4, 5, 6, 7, 8, 9, 10})

@@ -21,7 +21,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** The integrals of MODEL 8 against 30-digit values, other quadratures, closed forms and each other. */
 class ScaledDirichletTest {
-    /** alpha, l, E[beta'_j], E[beta'_j^2]; from mpmath 1.3 with 30 digits, the integrals of MODEL 8 split into 400 panels. */
+    /**
+     * alpha, l, E[beta'_j], E[beta'_j^2]; from mpmath 1.3 with 30 digits, the integrals of MODEL 8 split into 400 panels.
+     */
     record Golden(double[] alpha, double[] likelihood, double[] mean, double[] square) {}
 
     static Stream<Golden> golden() {
@@ -138,8 +140,8 @@ class ScaledDirichletTest {
     }
 
     /**
-     * Two objects: one integral over a Beta density, a different one from those of MODEL 8 (the first object is the likelier
-     * one, so that the step of the posterior is near x = 0, where doubles are dense).
+     * Two objects: one integral over a Beta density, a different one from those of MODEL 8 (the first object is the
+     * likelier one, so that the step of the posterior is near x = 0, where doubles are dense).
      */
     @Property(tries = 100)
     void agreesWithTheBetaIntegralOfTwoObjects(@ForAll long seed) {
