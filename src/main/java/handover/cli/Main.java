@@ -2,6 +2,7 @@ package handover.cli;
 
 import handover.io.DomainFileException;
 import handover.io.EpisodeLogException;
+import handover.io.PolicyFileException;
 import handover.solver.Solvers;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
@@ -66,8 +67,9 @@ public final class Main implements Runnable {
                 .addSubcommand(new Replay(console))
                 .addSubcommand(new Infer(console))
                 .addSubcommand(new Bench(console))
+                .addSubcommand(new Precompute(console))
                 .addSubcommand(new CommandLine(new Analyze()).addSubcommand(new AnalyzeReward(console))
-                        .addSubcommand(new AnalyzeCancels(console)));
+                        .addSubcommand(new AnalyzeCancels(console)).addSubcommand(new AnalyzeNearest(console)));
         line.setOut(new PrintWriter(console.out(), true)).setErr(new PrintWriter(console.err(), true));
         line.setExpandAtFiles(false);
         line.setColorScheme(CommandLine.Help.defaultColorScheme(console.live() ? Ansi.AUTO : Ansi.OFF));
@@ -79,7 +81,7 @@ public final class Main implements Runnable {
     /** Only called if there is a command line, but no command in it. */
     @Override
     public void run() {
-        throw new UsageException("expected a command: simulate, plan, check, replay, infer, bench, analyze; see handover --help");
+        throw new UsageException("expected a command: simulate, plan, check, replay, infer, bench, precompute, analyze; see handover --help");
     }
 
     private int refuse(CommandLine.ParameterException e) {
@@ -92,7 +94,7 @@ public final class Main implements Runnable {
     private int fail(Exception e) {
         Throwable cause = e instanceof UncheckedIOException ? e.getCause() : e;
         boolean input = cause instanceof UsageException || cause instanceof DomainFileException
-                || cause instanceof EpisodeLogException || cause instanceof Solvers.BadSolverException;
+                || cause instanceof EpisodeLogException || cause instanceof PolicyFileException || cause instanceof Solvers.BadSolverException;
         if (input) {
             return complain(e, BAD_INPUT, cause.getMessage());
         } else if (cause instanceof FileSystemException f) {

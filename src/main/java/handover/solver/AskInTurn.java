@@ -30,6 +30,7 @@ final class AskInTurn {
     private final double[][] human;
     private final double[] left;
     private final double[] posterior;
+    private final double tau;
     private final double pickPrice;
     private final double lastDiscount;
 
@@ -42,6 +43,7 @@ final class AskInTurn {
             asks[i] = scene.model(Act.of(AskType.VERB, scene.objects().get(i).name()));
             human[i] = asks[i] == null ? null : domain.understood(asks[i], Simplex.uniform(n));
         }
+        tau = domain.spec().tau();
         left = new double[n];
         posterior = new double[n];
         double gamma = domain.discount();
@@ -70,15 +72,16 @@ final class AskInTurn {
             int x = Simplex.argmax(left, n);
             ActEffect effect = task.effect(asks[x].index());
             double[] yes = effect.answers().yes();
+            move(mass);
             double right = left[x] * yes[x];
             double yesMass = 0;
             for (int i = 0; i < n; i++) {
-                posterior[i] = left[i] / mass;
                 double y = left[i] * yes[i];
                 yesMass += y;
                 left[i] -= y;
             }
             value += discount * mass * (effect.reward() + domain.matchReward(posterior, human[x], n));
+            right = tau * right + (n == 1 ? 0 : (1 - tau) / (n - 1)) * (yesMass - right);
             discount *= domain.discount();
             value += discount * (yesMass * pickPrice
                     + lastDiscount * (right * domain.pickReward(true) + (yesMass - right) * afterWrong));
@@ -86,5 +89,18 @@ final class AskInTurn {
             task = effect.during();
         }
         return value + discount * mass * otherwise;
+    }
+
+    /** Fills in b on the path, a step later; the wish may move. */
+    private void move(double mass) {
+        for (int i = 0; i < n; i++) {
+            posterior[i] = left[i] / mass;
+        }
+        if (tau < 1) {
+            Simplex.propagate(tau, posterior, posterior, n);
+            for (int i = 0; i < n; i++) {
+                left[i] = posterior[i] * mass;
+            }
+        }
     }
 }

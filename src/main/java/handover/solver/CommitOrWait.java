@@ -11,8 +11,8 @@ import handover.math.Simplex;
 
 /**
  * The value of the simplest policy that can be executed: hand over the likeliest object now, or wait for ever, whichever is
- * worth more; after a wrong object the same again. It observes nothing, so that (with a target that stands still, tau = 1)
- * its value is a lower bound on that of any good policy. What does not change among the acts of a belief is computed once
+ * worth more; after a wrong object the same again. It observes nothing, so that its value is a lower bound on that of any
+ * good policy (exactly so where the wish stands still, tau = 1; otherwise what happens after a wrong object is rounded). What does not change among the acts of a belief is computed once
  * for it, and a commitment that cannot beat waiting is not computed at all. Used by one thread at a time.
  */
 final class CommitOrWait {
@@ -30,6 +30,7 @@ final class CommitOrWait {
     private final double[][] rest;
     private final double[] human;
     private final double[] otherHuman;
+    private final double[] wish;
     /** At most paid for one increment of a pick, and for all of them. */
     private final double pricePerIncrement;
     private final double pricePerPick;
@@ -54,6 +55,7 @@ final class CommitOrWait {
         this.rest = new double[MOST_PICKS][n];
         this.human = new double[n];
         this.otherHuman = new double[n];
+        this.wish = new double[n];
         this.asking = new AskInTurn(scene);
         double gamma = domain.discount();
         this.pricePerIncrement = scene.acts().get(picks[0]).type().parameters().reward() + domain.matchBound();
@@ -77,7 +79,7 @@ final class CommitOrWait {
     double value(HandoverSearch.Node node) {
         SearchBelief b = node.b;
         double best = Math.max(waiting(Math.min(node.match, matchUniform(b))), asking(node));
-        if (commitBound(node) > best) {
+        if (domain.spec().tau() < 1 || commitBound(node) > best) {
             best = Math.max(best, committing(node, b.likeliest()));
         }
         if (node.task.target() != null) {
@@ -127,19 +129,31 @@ final class CommitOrWait {
         double discount = 1;
         Task task = from;
         double[] expected = h;
+        double[] wanted = b;
         while (true) {
             ActEffect effect = task.effect(picks[x]);
             double[] next = expected == human ? otherHuman : human;
             domain.understand(effect.model(), expected, next, n);
-            value += discount * tries * (effect.reward() + domain.matchReward(b, next, n));
+            wanted = moved(wanted);
+            value += discount * tries * (effect.reward() + domain.matchReward(wanted, next, n));
             task = effect.during();
             expected = next;
             if (effect.completes()) {
-                return value + discount * onAdvance * (search.pickReward(b[x])
-                        + domain.discount() * later(b[x], task, afterRejection));
+                return value + discount * onAdvance * (search.pickReward(wanted[x])
+                        + domain.discount() * later(wanted[x], task, afterRejection));
             }
             discount *= perIncrement;
         }
+    }
+
+    /** b a step later. */
+    private double[] moved(double[] b) {
+        double tau = domain.spec().tau();
+        if (tau == 1) {
+            return b;
+        }
+        Simplex.propagate(tau, b, wish, n);
+        return wish;
     }
 
     private double later(double right, Task during, double afterRejection) {

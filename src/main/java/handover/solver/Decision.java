@@ -13,10 +13,21 @@ import java.util.Map;
  * @param depth how many acts ahead the values look, 0 if the policy does not look ahead
  * @param nodes beliefs that were visited
  * @param finished whether the solver did all that its parameters ask for before the deadline
+ * @param note what is unusual about how the decision was made, for instance that a fallback made it; empty if nothing is
  */
-public record Decision(Act act, Map<Act, Double> values, int depth, long nodes, boolean finished) {
+public record Decision(Act act, Map<Act, Double> values, int depth, long nodes, boolean finished, String note) {
     public Decision {
         values = Collections.unmodifiableMap(new LinkedHashMap<>(values));
+    }
+
+    /** A decision made as usual. */
+    public Decision(Act act, Map<Act, Double> values, int depth, long nodes, boolean finished) {
+        this(act, values, depth, nodes, finished, "");
+    }
+
+    /** The same decision with another note. */
+    public Decision noted(String text) {
+        return new Decision(act, values, depth, nodes, finished, text);
     }
 
     /** A decision without look-ahead. */

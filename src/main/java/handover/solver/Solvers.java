@@ -2,13 +2,14 @@ package handover.solver;
 
 import java.util.List;
 import java.util.Map;
+import java.util.ServiceLoader;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Function;
 
 /**
  * The solvers by the names under which people ask for them: {@code NAME}, {@code NAME:key=value,key=value}, or the name of
- * a class. This list is the only place where a new solver is named.
+ * a class. This list is the only place where a new solver is named, but for those that a {@link SolverProvider} makes.
  */
 public final class Solvers {
     private static final List<Entry> ALL = List.of(
@@ -60,7 +61,12 @@ public final class Solvers {
         String name = spec.split(":", 2)[0];
         for (Entry entry : ALL) {
             if (entry.name.equals(name)) {
-                return make(entry, spec);
+                return make(s -> entry.make.apply(Parameters.of(entry, s)), spec);
+            }
+        }
+        for (SolverProvider provider : ServiceLoader.load(SolverProvider.class, Solvers.class.getClassLoader())) {
+            if (provider.name().equals(name)) {
+                return make(provider::make, spec);
             }
         }
         if (name.indexOf('.') > 0) {
@@ -70,9 +76,9 @@ public final class Solvers {
                 + ", or the full name of a class that implements " + Solver.class.getName(), null);
     }
 
-    private static Solver make(Entry entry, String spec) {
+    private static Solver make(Function<String, Solver> maker, String spec) {
         try {
-            return entry.make.apply(Parameters.of(entry, spec));
+            return maker.apply(spec);
         } catch (BadSolverException e) {
             throw e;
         } catch (IllegalArgumentException e) {
