@@ -31,12 +31,16 @@ public class HandoverDomain implements DomainGenerator {
     private final MatchScore matchScore;
     private final double matchWeight;
     private final double tauHuman;
-    private final PickRule pickRule;
-    private final List<ActType> types;
     private final ActModel idle;
-    private final Scene start;
+    /** What a variant may change; made when it is first needed, once the variant's own constructor is through. */
+    private volatile Rules rules;
 
-    /** The domain that a domain file describes. Throws {@link InvalidParameterException} if an act has no parameters. */
+    private record Rules(List<ActType> types, PickRule pickRule, Scene start) {}
+
+    /**
+     * The domain that a domain file describes. An act without parameters is found when the acts are first needed, with
+     * {@link InvalidParameterException}.
+     */
     public HandoverDomain(DomainSpec spec) {
         this.spec = spec;
         this.vocabulary = new Vocabulary(spec.objects(), spec.speech().alpha());
@@ -44,16 +48,23 @@ public class HandoverDomain implements DomainGenerator {
         this.matchScore = spec.rewards().matchScore();
         this.matchWeight = spec.rewards().matchWeight();
         this.tauHuman = spec.tauHuman();
-        this.pickRule = createPickRule();
-        this.types = List.copyOf(actTypes());
-        ActType wait = new WaitType(spec.act("wait"));
-        this.idle = new ActModel(0, Act.WAIT, wait, new double[0], null, -1, "");
-        this.start = new Scene(this, spec.objects());
+        this.idle = new ActModel(0, Act.WAIT, new WaitType(spec.act("wait")), new double[0], null, -1, "");
+    }
+
+    private Rules rules() {
+        Rules r = rules;
+        if (r == null) {
+            synchronized (this) {
+                r = rules == null ? new Rules(List.copyOf(actTypes()), createPickRule(), new Scene(this, spec.objects())) : rules;
+                rules = r;
+            }
+        }
+        return r;
     }
 
     // ---- seams: what a variant overrides -------------------------------------------------------------------------
 
-    /** The types of act on offer. Called once, from the constructor: only {@link #spec()} and the vocabulary are set. */
+    /** The types of act on offer. Called once, when the acts are first needed. */
     protected List<ActType> actTypes() {
         List<ActType> all = new ArrayList<>();
         all.add(new WaitType(spec.act("wait")));
@@ -66,7 +77,7 @@ public class HandoverDomain implements DomainGenerator {
         return all;
     }
 
-    /** How a pick goes on (MODEL 5). Called once, from the constructor, like {@link #actTypes()}. */
+    /** How a pick goes on (MODEL 5). Called once, like {@link #actTypes()}. */
     protected PickRule createPickRule() {
         return PickRule.IMMEDIATE;
     }
@@ -115,7 +126,7 @@ public class HandoverDomain implements DomainGenerator {
     /** How long one act of this type takes, in seconds (MODEL 9); of a pick, one increment. */
     public double seconds(ActType type) {
         double whole = type.parameters().duration();
-        return type.verb().equals(PickType.VERB) ? whole / pickRule.increments() : whole;
+        return type.verb().equals(PickType.VERB) ? whole / pickRule().increments() : whole;
     }
 
     /**
@@ -156,12 +167,12 @@ public class HandoverDomain implements DomainGenerator {
     }
 
     public final List<ActType> types() {
-        return types;
+        return rules().types;
     }
 
     /** How a pick goes on. */
     public final PickRule pickRule() {
-        return pickRule;
+        return rules().pickRule;
     }
 
     /** gamma. */
@@ -176,12 +187,12 @@ public class HandoverDomain implements DomainGenerator {
 
     /** The table at the start of an episode. */
     public final Scene start() {
-        return start;
+        return rules().start;
     }
 
     /** A table with other objects or other positions, for instance after something was moved. */
     public final Scene scene(List<TableObject> objects) {
-        return objects.equals(start.objects()) ? start : new Scene(this, objects);
+        return objects.equals(spec.objects()) ? start() : new Scene(this, objects);
     }
 
     /** The task at the start of an episode with these objects. */
@@ -219,6 +230,7 @@ public class HandoverDomain implements DomainGenerator {
     }
 
     ActEffect effect(Task before, ActModel act) {
+        PickRule pickRule = pickRule();
         if (!act.isPick()) {
             Act reference = act.isCommunicative() ? act.act() : before.openReference();
             ActModel open = reference == null ? null : before.scene().model(reference);
@@ -234,6 +246,7 @@ public class HandoverDomain implements DomainGenerator {
 
     private ActEffect effect(Task before, ActModel act, String target, int progress, ActModel open, double[] match,
             ActEffect stalled) {
+        PickRule pickRule = pickRule();
         boolean completes = progress == pickRule.increments();
         boolean moves = progress > 0 && !completes && (pickRule.advance() == 1 || stalled != null);
         Task during = before.with(new Task.Key(open == null ? null : open.act(), Answer.NONE, target, progress,
@@ -249,7 +262,7 @@ public class HandoverDomain implements DomainGenerator {
     /** The BURLAP domain; its chance comes from {@code random}, which BURLAP's threads must not share. */
     public PODomain generateDomain(RandomGenerator random) {
         PODomain domain = new PODomain();
-        types.forEach(domain::addActionType);
+        types().forEach(domain::addActionType);
         domain.setModel(new HandoverModel(this, random));
         domain.setObservationFunction(new HandoverObservationFunction(this, random));
         domain.setStateEnumerator(new StateEnumerator(domain, new ReflectiveHashableStateFactory()));
@@ -272,10 +285,10 @@ public class HandoverDomain implements DomainGenerator {
 
     /** The state in which a human who wants {@code wanted} starts. Throws if there is no such object. */
     public HandoverState initialState(String wanted) {
-        int i = start.indexOf(wanted);
+        int i = start().indexOf(wanted);
         if (i < 0) {
-            throw new IllegalArgumentException(wanted + " is not on the table: " + start);
+            throw new IllegalArgumentException(wanted + " is not on the table: " + start());
         }
-        return new HandoverState(i, task(start), Simplex.uniform(start.size()));
+        return new HandoverState(i, task(start()), Simplex.uniform(start().size()));
     }
 }

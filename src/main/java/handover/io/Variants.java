@@ -43,7 +43,11 @@ final class Variants {
     static HandoverDomain create(DomainSpec spec, Place at) {
         Class<? extends HandoverDomain> type = find(spec.variant(), at);
         try {
-            return type.getConstructor(DomainSpec.class).newInstance(spec);
+            HandoverDomain domain = type.getConstructor(DomainSpec.class).newInstance(spec);
+            domain.start().acts();
+            return domain;
+        } catch (InvalidParameterException e) {
+            throw at.invalid(e);
         } catch (InvocationTargetException e) {
             if (e.getCause() instanceof InvalidParameterException invalid) {
                 throw at.invalid(invalid);
