@@ -2,6 +2,7 @@ package handover.solver;
 
 import burlap.behavior.singleagent.pomdp.wrappedmdpalgs.BeliefSparseSampling;
 import burlap.behavior.valuefunction.QValue;
+import burlap.debugtools.RandomFactory;
 import burlap.mdp.singleagent.pomdp.PODomain;
 import burlap.mdp.singleagent.pomdp.beliefstate.EnumerableBeliefState.StateBelief;
 import burlap.mdp.singleagent.pomdp.beliefstate.TabularBeliefState;
@@ -22,6 +23,9 @@ import java.util.random.RandomGenerator;
  * @param width C, at least 1
  */
 public record BurlapSparseSampling(int horizon, int width) implements Solver {
+    /** BURLAP's beliefs draw from its one global generator, so that only one decision can be made at a time. */
+    private static final Object LOCK = new Object();
+
     @Override
     public String name() {
         return "burlap:H=" + horizon + ",C=" + width;
@@ -29,7 +33,12 @@ public record BurlapSparseSampling(int horizon, int width) implements Solver {
 
     @Override
     public Policy solve(HandoverDomain domain, RandomGenerator random) {
-        return (belief, deadline, chance) -> decide(domain, belief, chance);
+        return (belief, deadline, chance) -> {
+            synchronized (LOCK) {
+                RandomFactory.seedMapped(0, chance.nextLong());
+                return decide(domain, belief, chance);
+            }
+        };
     }
 
     private Decision decide(HandoverDomain domain, HandoverBelief belief, RandomGenerator chance) {

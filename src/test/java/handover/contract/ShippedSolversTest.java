@@ -1,0 +1,79 @@
+package handover.contract;
+
+import handover.solver.BurlapSparseSampling;
+import handover.solver.Clairvoyant;
+import handover.solver.Confirm;
+import handover.solver.Poss;
+import handover.solver.RandomActs;
+import handover.solver.Solver;
+import handover.solver.Threshold;
+import my.lab.AskOnce;
+import org.junit.jupiter.api.Nested;
+
+/** Every shipped solver, and the README's, under the contract. */
+class ShippedSolversTest {
+    @Nested
+    class PossThree extends SolverContract {
+        @Override
+        protected Solver solver() {
+            return new Poss(3, 2, true);
+        }
+    }
+
+    @Nested
+    class PossWithoutLeaves extends SolverContract {
+        @Override
+        protected Solver solver() {
+            return new Poss(2, 3, false);
+        }
+    }
+
+    @Nested
+    class Burlap extends SolverContract {
+        @Override
+        protected Solver solver() {
+            return new BurlapSparseSampling(1, 2);
+        }
+
+    }
+
+    @Nested
+    class NoFeedback extends SolverContract {
+        @Override
+        protected Solver solver() {
+            return new Threshold(0.9);
+        }
+    }
+
+    @Nested
+    class FixedFeedback extends SolverContract {
+        @Override
+        protected Solver solver() {
+            return new Confirm();
+        }
+    }
+
+    @Nested
+    class Floor extends SolverContract {
+        @Override
+        protected Solver solver() {
+            return new RandomActs();
+        }
+    }
+
+    @Nested
+    class Ceiling extends SolverContract {
+        @Override
+        protected Solver solver() {
+            return new Clairvoyant();
+        }
+    }
+
+    @Nested
+    class FromTheReadme extends SolverContract {
+        @Override
+        protected Solver solver() {
+            return new AskOnce();
+        }
+    }
+}
