@@ -1,10 +1,7 @@
 package handover.domain;
 
-import burlap.mdp.core.oo.state.OOState;
 import burlap.mdp.core.oo.state.OOStateUtilities;
 import burlap.mdp.core.oo.state.ObjectInstance;
-import burlap.mdp.core.state.State;
-import burlap.statehashing.HashableState;
 import handover.math.Simplex;
 import java.util.List;
 import java.util.random.RandomGenerator;
@@ -16,7 +13,7 @@ import java.util.random.RandomGenerator;
  * @param base the wish, the task, and h
  * @param expected omega_H, a position in the scene; -1 if nothing is left
  */
-public record CommunicatedState(HandoverState base, int expected) implements OOState, HashableState {
+public record CommunicatedState(HandoverState base, int expected) implements TableState {
 
     /** A state with omega_H drawn from its h. */
     static CommunicatedState draw(HandoverState base, RandomGenerator random) {
@@ -29,39 +26,9 @@ public record CommunicatedState(HandoverState base, int expected) implements OOS
     }
 
     @Override
-    public ObjectInstance object(String name) {
-        return OOStateUtilities.objectWithName(objects(), name);
-    }
-
-    @Override
     public List<ObjectInstance> objects() {
         String name = expected < 0 ? "" : base.task().scene().objects().get(expected).name();
         return base.objects("expected", name);
-    }
-
-    @Override
-    public List<ObjectInstance> objectsOfClass(String className) {
-        return objects().stream().filter(o -> o.className().equals(className)).toList();
-    }
-
-    @Override
-    public List<Object> variableKeys() {
-        return OOStateUtilities.flatStateKeys(this);
-    }
-
-    @Override
-    public Object get(Object key) {
-        return OOStateUtilities.get(this, key);
-    }
-
-    @Override
-    public CommunicatedState copy() {
-        return this;
-    }
-
-    @Override
-    public State s() {
-        return this;
     }
 
     @Override

@@ -1,11 +1,9 @@
 package handover.domain;
 
-import burlap.mdp.core.oo.state.OOState;
 import burlap.mdp.core.oo.state.OOStateUtilities;
 import burlap.mdp.core.oo.state.ObjectInstance;
 import burlap.mdp.core.state.State;
 import burlap.mdp.singleagent.pomdp.beliefstate.EnumerableBeliefState;
-import burlap.statehashing.HashableState;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -17,7 +15,7 @@ import java.util.Map;
  * table, with its position and how much the human expects it, and one of class {@code task} for what is wanted and the
  * rest of what is known. Immutable, thread safe; equal by value.
  */
-public final class HandoverState implements OOState, HashableState {
+public final class HandoverState implements TableState {
     public static final String CLASS_OBJECT = "object";
     public static final String CLASS_TASK = "task";
 
@@ -66,11 +64,6 @@ public final class HandoverState implements OOState, HashableState {
     }
 
     @Override
-    public ObjectInstance object(String name) {
-        return OOStateUtilities.objectWithName(objects(), name);
-    }
-
-    @Override
     public List<ObjectInstance> objects() {
         return objects(null, null);
     }
@@ -101,31 +94,6 @@ public final class HandoverState implements OOState, HashableState {
         }
         all.add(new Instance(CLASS_TASK, CLASS_TASK, values));
         return all;
-    }
-
-    @Override
-    public List<ObjectInstance> objectsOfClass(String className) {
-        return objects().stream().filter(o -> o.className().equals(className)).toList();
-    }
-
-    @Override
-    public List<Object> variableKeys() {
-        return OOStateUtilities.flatStateKeys(this);
-    }
-
-    @Override
-    public Object get(Object key) {
-        return OOStateUtilities.get(this, key);
-    }
-
-    @Override
-    public HandoverState copy() {
-        return this;
-    }
-
-    @Override
-    public State s() {
-        return this;
     }
 
     @Override
