@@ -62,6 +62,7 @@ final class AnalyzeNearest implements Callable<Integer> {
         }
         HandoverDomain on = DomainFiles.load(domain);
         PolicyFile file = PolicyFile.read(policy, on.spec());
+        Iterable<Integer> chosen = sizes(file.table().size());
         Solver teacher = Solvers.parse(file.run().teacher());
         LearningCurve curve = new LearningCurve(on, file.table(), teacher, neighbours, radius, episodes, seed, console.nanoClock());
         console.out().printf(Locale.ROOT, "%s, teacher %s: return %s, agrees with itself at %.1f%% of %d beliefs; %d paired episodes%n%n",
@@ -71,7 +72,7 @@ final class AnalyzeNearest implements Callable<Integer> {
                 "less than teacher", "% of it", "fallback %", "lookup us p50", "p99"));
         try (PrintWriter out = new PrintWriter(Files.newBufferedWriter(csv))) {
             out.println(LearningCurve.Point.CSV_HEADER);
-            for (int size : sizes(file.table().size())) {
+            for (int size : chosen) {
                 LearningCurve.Point point = curve.at(size);
                 out.println(point.csv());
                 table.add(point.cells());

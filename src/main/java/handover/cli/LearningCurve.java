@@ -11,6 +11,7 @@ import handover.simulation.Estimate;
 import handover.simulation.Step;
 import handover.simulation.Summary;
 import handover.solver.Deadline;
+import handover.solver.Decision;
 import handover.solver.NearestPolicy;
 import handover.solver.Policy;
 import handover.solver.PolicyTable;
@@ -56,7 +57,7 @@ final class LearningCurve {
      * @param backed return with the fallback
      * @param backedLoss the teacher's return less that
      * @param fallback share of beliefs at which the fallback decides
-     * @param p50 median time of a lookup, seconds
+     * @param p50 median time of a lookup, without any fallback, seconds
      * @param p99 the same, 99th percentile
      * @param teacher the teacher's return
      */
@@ -126,7 +127,8 @@ final class LearningCurve {
         Policy backed = new NearestPolicy(first, k, radius, otherwise, teacher.name());
         List<Episode> alone = play(new Solved("nearest", pure));
         List<Episode> helped = play(new Solved("nearest with fallback", backed));
-        double[] seconds = lookups(pure);
+        double[] seconds = lookups(new NearestPolicy(first, k, Double.POSITIVE_INFINITY,
+                (belief, deadline, random) -> Decision.of(Act.WAIT), "nothing"));
         return new Point(first.size(), Summary.of(alone).discountedReturn(), Summary.returnDifference(taught, alone), agreement(pure),
                 Summary.of(helped).discountedReturn(), Summary.returnDifference(taught, helped), fallbacks(backed),
                 rank(seconds, 0.5), rank(seconds, 0.99), teacherReturn().value());

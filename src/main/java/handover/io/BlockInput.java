@@ -12,7 +12,7 @@ import java.util.zip.CRC32C;
 final class BlockInput {
     private final FileChannel channel;
     private final CRC32C whole = new CRC32C();
-    private final ByteBuffer block = ByteBuffer.allocateDirect(BlockOutput.BLOCK + Integer.BYTES).order(ByteOrder.LITTLE_ENDIAN);
+    private final ByteBuffer block;
     private long left;
     private int number;
 
@@ -34,12 +34,13 @@ final class BlockInput {
         this.channel = channel;
         this.left = numbers;
         whole.update(before);
-        block.limit(0);
         long expected = before.length + stored(numbers) + Integer.BYTES;
         if (channel.size() != expected) {
             throw new DamagedException("expected " + expected + " bytes, found " + channel.size()
                     + (channel.size() < expected ? ": the file is truncated" : ""));
         }
+        int largest = (int) Math.min(numbers, BlockOutput.BLOCK) + Integer.BYTES;
+        block = ByteBuffer.allocateDirect(largest).order(ByteOrder.LITTLE_ENDIAN).limit(0);
     }
 
     private static long stored(long numbers) {

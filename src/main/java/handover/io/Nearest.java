@@ -5,6 +5,7 @@ import handover.solver.NearestPolicy;
 import handover.solver.Policy;
 import handover.solver.Solver;
 import handover.solver.Solvers;
+import java.math.BigDecimal;
 import java.nio.file.Path;
 import java.util.random.RandomGenerator;
 
@@ -25,7 +26,7 @@ public record Nearest(Path file, int k, double radius, Solver fallback) implemen
     @Override
     public String name() {
         return "nearest:" + file + (k == NEIGHBOURS ? "" : ",k=" + k)
-                + (radius == RADIUS ? "" : ",radius=" + (Double.isInfinite(radius) ? "inf" : String.valueOf(radius)))
+                + (radius == RADIUS ? "" : ",radius=" + (Double.isInfinite(radius) ? "inf" : BigDecimal.valueOf(radius).stripTrailingZeros().toPlainString()))
                 + (fallback == null ? "" : ",fallback=" + fallback.name());
     }
 

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import handover.io.PointJournal;
 import handover.io.PolicyFile;
+import handover.io.PolicyRun;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -97,7 +98,7 @@ class PrecomputeTest {
         }
     }
 
-    private handover.io.PolicyRun run() throws IOException {
+    private PolicyRun run() throws IOException {
         bytes("any");
         return PolicyFile.read(folder.resolve("any")).run();
     }

@@ -27,7 +27,8 @@ class NearestProviderTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"nearest:a.policy", "nearest:a,k=3", "nearest:a,k=3,radius=inf,fallback=poss:H=2,C=10", "nearest:a,radius=0.25"})
+    @ValueSource(strings = {"nearest:a.policy", "nearest:a,k=3", "nearest:a,k=3,radius=inf,fallback=poss:H=2,C=10", "nearest:a,radius=0.25",
+        "nearest:a,radius=0.00001"})
     void aSolverIsFoundUnderItsOwnName(String spec) {
         Solver solver = Solvers.parse(spec);
         assertEquals(spec, solver.name());

@@ -28,6 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** What is read is what was written, or nothing. */
 class PolicyFileTest {
+    private static final int FIRST_LINE = 32;
     private static final DomainSpec SPEC = DomainFiles.read("bowls-and-spoons");
 
     @TempDir
@@ -68,7 +69,7 @@ class PolicyFileTest {
                 + "\",\"teacher\":\"poss:H=1,C=1\""), lines.get(1));
     }
 
-    /** At every length, and with every bit flipped: refused, with the file's name. */
+    /** At every length, and with a bit flipped in every byte (in the first line every bit): refused, with the file's name. */
     @Test
     void truncatedOrDamagedFilesAreNeverUsed() throws IOException {
         Path file = folder.resolve("a.policy");
@@ -78,7 +79,7 @@ class PolicyFileTest {
             assertTrue(damage(file, Arrays.copyOf(bytes, length)).startsWith(file + ": "));
         }
         assertTrue(damage(file, Arrays.copyOf(bytes, bytes.length + 1)).contains("expected " + bytes.length + " bytes"));
-        for (int bit = 0; bit < 8 * bytes.length; bit++) {
+        for (int bit = 0; bit < 8 * bytes.length; bit += bit < 8 * FIRST_LINE ? 1 : 9) {
             byte[] flipped = bytes.clone();
             flipped[bit / 8] ^= (byte) (1 << bit % 8);
             assertTrue(damage(file, flipped).startsWith(file + ": "), "bit " + bit);

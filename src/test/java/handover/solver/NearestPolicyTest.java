@@ -18,6 +18,7 @@ import handover.domain.Utterance;
 import handover.math.Simplex;
 import handover.math.Vector3;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -157,6 +158,42 @@ class NearestPolicyTest {
 
     private HandoverBelief at(double... b) {
         return HandoverBelief.of(domain.task(domain.start()), b, Simplex.uniform(3));
+    }
+
+    /** With symmetries the nearest are those of all images of the query, each stored belief once, where it is nearest. */
+    @Test
+    void imagesAreSearchedExactly() {
+        SplittableRandom random = new SplittableRandom(3);
+        for (int i = 0; i < 200; i++) {
+            put(at(distribution(random)), "PICK", "bowl");
+        }
+        PolicyPart part = builder.build().parts().get(0);
+        List<Symmetry> images = Symmetries.of(domain.start());
+        for (int i = 0; i < 300; i++) {
+            HandoverBelief query = at(distribution(random));
+            Neighbours nearest = new Neighbours(5, part.ordinals(), Float.POSITIVE_INFINITY);
+            float[] best = new float[part.size()];
+            Arrays.fill(best, Float.POSITIVE_INFINITY);
+            for (int s = 0; s < images.size(); s++) {
+                float[] x = new float[6];
+                BeliefMetric.DEFAULT.coordinates(query, images.get(s).objects(), x);
+                nearest.under(s);
+                part.tree().search(x, nearest);
+                for (int r = 0; r < best.length; r++) {
+                    best[r] = Math.min(best[r], BeliefMetric.squared(x, 0, part.coordinates(), 6 * r, 6, Float.POSITIVE_INFINITY));
+                }
+            }
+            Arrays.sort(best);
+            for (int k = 0; k < 5; k++) {
+                assertEquals(Math.sqrt(best[k]), nearest.distance(k));
+            }
+        }
+    }
+
+    private static double[] distribution(SplittableRandom random) {
+        double[] p = random.doubles(3).toArray();
+        Simplex.normalise(p, 3);
+        return p;
     }
 
     /** Stores a belief at which an act is worth 3 and all others 1. */
