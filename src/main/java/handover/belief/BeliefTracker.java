@@ -46,7 +46,8 @@ public record BeliefTracker(HandoverBelief now, HandoverBelief before, List<Unar
     }
 
     /**
-     * The robot finished an act, which is taken as started too if that was not reported.
+     * The robot finished an act, which is taken as started too if that was not reported. What was said before an object was
+     * accepted was about that object; the next wish starts without it.
      *
      * @param signal what became of a pick
      * @throws IllegalArgumentException if the act is not legal, or if it completes a pick and the signal does not say
@@ -55,7 +56,7 @@ public record BeliefTracker(HandoverBelief now, HandoverBelief before, List<Unar
     public BeliefTracker completed(Act done, PickSignal signal) {
         BeliefTracker t = done.equals(act) ? this : started(done);
         boolean decided = signal == PickSignal.ACCEPTED || signal == PickSignal.REJECTED;
-        HandoverBelief moved = signal == PickSignal.NONE ? t.now.stalled() : t.now;
+        HandoverBelief moved = signal == PickSignal.NONE ? t.stalled() : t.now;
         if (moved.pickPending() && !decided) {
             throw new IllegalArgumentException("expected accepted or rejected, because this completes the pick of "
                     + t.now.task().target());
@@ -63,6 +64,20 @@ public record BeliefTracker(HandoverBelief now, HandoverBelief before, List<Unar
         boolean picks = decided && moved.task().target() != null;
         HandoverBelief belief = picks ? moved.picked(signal == PickSignal.ACCEPTED) : moved;
         return new BeliefTracker(belief, belief, List.of(), null);
+    }
+
+    /** What was said while the increment was tried, weighed for one that did not advance. */
+    private HandoverBelief stalled() {
+        HandoverBelief other = before.after(act).stalled();
+        return other.task().equals(now.task()) ? now : replay(other);
+    }
+
+    private HandoverBelief replay(HandoverBelief from) {
+        HandoverBelief belief = from;
+        for (UnaryOperator<HandoverBelief> event : evidence) {
+            belief = event.apply(belief);
+        }
+        return belief;
     }
 
     /**
@@ -76,10 +91,7 @@ public record BeliefTracker(HandoverBelief now, HandoverBelief before, List<Unar
         }
         HandoverBelief belief = now.cancelled();
         if (act.verb().equals(AskType.VERB)) {
-            belief = before;
-            for (UnaryOperator<HandoverBelief> event : evidence) {
-                belief = event.apply(belief);
-            }
+            belief = replay(before);
         }
         return new BeliefTracker(belief, belief, List.of(), null);
     }

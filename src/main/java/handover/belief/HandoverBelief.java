@@ -20,6 +20,7 @@ import handover.math.Simplex;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * What the robot knows and believes: b over the wanted object, h, the task, and what was sensed so far in the step that is
@@ -165,6 +166,9 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
 
     /** Corrects with one gesture. Throws {@link IllegalArgumentException} if its shoulder is at an object. */
     public HandoverBelief saw(Gesture gesture) {
+        if (step == null || sensed.closed) {
+            return sense(sensed.with(false, false, true));
+        }
         return correct(HumanModel.logGestureDensities(scene(), gesture), task, sensed.with(false, false, false));
     }
 
@@ -307,7 +311,7 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
     public String toString() {
         List<String> parts = new ArrayList<>();
         for (int i = 0; i < probabilities.length; i++) {
-            parts.add(String.format("%s %.3f (human expects %.3f)", scene().objects().get(i).name(), probabilities[i],
+            parts.add(String.format(Locale.ROOT, "%s %.3f (human expects %.3f)", scene().objects().get(i).name(), probabilities[i],
                     human[i]));
         }
         return String.join(", ", parts);

@@ -3,6 +3,7 @@ package handover.domain;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -14,7 +15,7 @@ import java.util.concurrent.ConcurrentHashMap;
 public final class Scene {
     private final HandoverDomain domain;
     private final List<TableObject> objects;
-    private final Map<String, Integer> indexOf = new HashMap<>();
+    private final Map<String, Integer> indexOf = new LinkedHashMap<>();
     /** What follows from the objects; computed when it is first asked for, because many tables are never played on. */
     private volatile Tables tables;
     private final Map<Act, Words> contrasted = new ConcurrentHashMap<>();

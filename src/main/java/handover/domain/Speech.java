@@ -35,12 +35,12 @@ public record Speech(List<Alternative> alternatives) {
         return of(Utterance.parse(transcript, vocabulary));
     }
 
-    /** The answer that at least half of the confidence is on, else none. */
+    /** The answer that more than half of the confidence is on, else none. */
     public Answer answer() {
         for (Answer answer : List.of(Answer.YES, Answer.NO)) {
             double q = alternatives.stream().filter(a -> a.utterance.answer() == answer)
                     .mapToDouble(Alternative::confidence).sum();
-            if (q >= 0.5) {
+            if (q > 0.5) {
                 return answer;
             }
         }

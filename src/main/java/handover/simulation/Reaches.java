@@ -29,7 +29,7 @@ public record Reaches(boolean wrong, int correctCancels, int falseCancels, int o
         List<Step> steps = episode.steps();
         for (int k = 0; k < steps.size(); k++) {
             Act act = steps.get(k).act();
-            boolean reaching = k > 0 && steps.get(k - 1).observation().signal() == PickSignal.MOVING;
+            boolean reaching = k > 0 && steps.get(k - 1).act().verb().equals(PickType.VERB) && !completes(steps.get(k - 1));
             if (reaching && !act.equals(steps.get(k - 1).act())) {
                 boolean right = isOf(steps.get(k - 1).act(), episode.wanted());
                 correct += right ? 0 : 1;
@@ -40,14 +40,24 @@ public record Reaches(boolean wrong, int correctCancels, int falseCancels, int o
                 objected = -1;
             }
             boolean wrongReach = act.verb().equals(PickType.VERB) && !isOf(act, episode.wanted());
-            if (!wrongReach) {
+            if (!wrongReach || completes(steps.get(k))) {
                 objected = -1;
             } else if (objected < 0 && saysNo(steps.get(k))) {
                 objected = k;
                 objections++;
             }
         }
-        return new Reaches(!episode.measures().success(), correct, mistaken, objections, List.copyOf(delays));
+        return new Reaches(wrong(steps), correct, mistaken, objections, List.copyOf(delays));
+    }
+
+    private static boolean wrong(List<Step> steps) {
+        return steps.stream().filter(Reaches::completes).findFirst()
+                .map(s -> s.observation().signal() == PickSignal.REJECTED).orElse(false);
+    }
+
+    private static boolean completes(Step step) {
+        PickSignal signal = step.observation().signal();
+        return signal == PickSignal.ACCEPTED || signal == PickSignal.REJECTED;
     }
 
     private static boolean isOf(Act act, String object) {

@@ -31,8 +31,12 @@ final class AskInTurn {
     private final double[] left;
     private final double[] posterior;
     private final double tau;
-    private final double pickPrice;
+    /** What reaching for each object comes to. */
+    private final double[] pickPrice;
     private final double lastDiscount;
+    /** Nothing is open yet. */
+    private final Task start;
+    private final double mostRepeated;
 
     AskInTurn(Scene scene) {
         domain = scene.domain();
@@ -47,24 +51,45 @@ final class AskInTurn {
         left = new double[n];
         posterior = new double[n];
         double gamma = domain.discount();
-        double price = scene.model(Act.of(PickType.VERB, scene.objects().get(0).name())).type().parameters().reward();
-        pickPrice = price * PickPrice.prices(domain.pickRule(), gamma);
+        start = domain.task(scene);
+        pickPrice = new double[n];
+        double repeated = 0;
+        for (int i = 0; i < n; i++) {
+            double price = start.effect(scene.model(Act.of(PickType.VERB, scene.objects().get(i).name())).index()).reward();
+            pickPrice[i] = price * PickPrice.prices(domain.pickRule(), gamma);
+            if (asks[0] != null) {
+                ActEffect once = start.effect(asks[i].index());
+                repeated = Math.max(repeated, once.during().effect(asks[i].index()).reward() - once.reward());
+            }
+        }
+        mostRepeated = repeated;
         lastDiscount = PickPrice.outcome(domain.pickRule(), gamma);
     }
 
+    /** What it costs, or pays, that the first question is asked in {@code task} and not with nothing open. */
+    double repeating(Task task, int likeliest) {
+        return asks[0] == null ? 0
+                : task.effect(asks[likeliest].index()).reward() - start.effect(asks[likeliest].index()).reward();
+    }
+
+    /** Upper bound of {@link #repeating}. */
+    double mostRepeated() {
+        return mostRepeated;
+    }
+
     /**
-     * The value at a belief; minus infinity if there are no questions to ask.
+     * The value at a belief with nothing open; minus infinity if there are no questions to ask.
      *
      * @param b not modified
      * @param otherwise what it is worth to have handed over the wrong object or to have no answer to anything
      */
-    double value(double[] b, Task from, double otherwise) {
+    double value(double[] b, double otherwise) {
         if (asks[0] == null) {
             return Double.NEGATIVE_INFINITY;
         }
         System.arraycopy(b, 0, left, 0, n);
         double afterWrong = domain.pickReward(false) + domain.discount() * otherwise;
-        Task task = from;
+        Task task = start;
         double value = 0;
         double discount = 1;
         double mass = 1;
@@ -83,7 +108,7 @@ final class AskInTurn {
             value += discount * mass * (effect.reward() + domain.matchReward(posterior, human[x], n));
             right = tau * right + (n == 1 ? 0 : (1 - tau) / (n - 1)) * (yesMass - right);
             discount *= domain.discount();
-            value += discount * (yesMass * pickPrice
+            value += discount * (yesMass * pickPrice[x]
                     + lastDiscount * (right * domain.pickReward(true) + (yesMass - right) * afterWrong));
             mass -= yesMass;
             task = effect.during();

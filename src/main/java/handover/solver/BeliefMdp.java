@@ -45,7 +45,7 @@ public interface BeliefMdp<N> {
      */
     void sample(N outcome, double stratum, RandomGenerator random, N next);
 
-    /** A lower bound on the value of what follows an act: what some simple policy earns if it observes nothing. */
+    /** What some simple policy earns after an act, before anything is observed. */
     double leaf(N predicted);
 
     /**

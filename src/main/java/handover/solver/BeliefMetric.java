@@ -1,7 +1,7 @@
 package handover.solver;
 
-import handover.domain.InvalidParameterException;
 import handover.belief.HandoverBelief;
+import handover.domain.InvalidParameterException;
 
 /**
  * How far two beliefs with the same discrete part are from each other:

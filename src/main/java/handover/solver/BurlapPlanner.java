@@ -10,6 +10,7 @@ import burlap.mdp.core.state.State;
 import burlap.mdp.singleagent.pomdp.PODomain;
 import burlap.statehashing.ReflectiveHashableStateFactory;
 import handover.belief.HandoverBelief;
+import handover.domain.Act;
 import handover.domain.HandoverDomain;
 import java.util.List;
 import java.util.random.RandomGenerator;
@@ -43,6 +44,9 @@ public final class BurlapPlanner extends MDPSolver implements Planner, QProvider
 
     @Override
     public List<QValue> qValues(State s) {
+        if (((HandoverBelief) s).task().done()) {
+            return List.of(new QValue(s, Act.WAIT, 0));
+        }
         Decision decision = policy.decide((HandoverBelief) s, Deadline.NONE, random);
         if (decision.values().isEmpty()) {
             return List.of(new QValue(s, decision.act(), 1));

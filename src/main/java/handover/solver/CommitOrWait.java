@@ -8,12 +8,14 @@ import handover.domain.Scene;
 import handover.domain.Task;
 import handover.domain.WrongPick;
 import handover.math.Simplex;
+import java.util.Arrays;
 
 /**
- * The value of the simplest policy that can be executed: hand over the likeliest object now, or wait for ever, whichever is
- * worth more; after a wrong object the same again. It observes nothing, so that its value is a lower bound on that of any
- * good policy (exactly so where the wish stands still, tau = 1; otherwise what happens after a wrong object is rounded). What does not change among the acts of a belief is computed once
- * for it, and a commitment that cannot beat waiting is not computed at all. Used by one thread at a time.
+ * What leaves are worth: the best of three simple policies that can be executed. Hand over the likeliest object now, and go on
+ * after a wrong one; wait for ever; or {@link AskInTurn}. The first two observe nothing, so that their value is a lower bound
+ * on that of any good policy (where the wish stands still, tau = 1; otherwise what happens after a wrong object is rounded);
+ * the third is a bound up to its match part. What does not change among the acts of a belief is computed once for it, and
+ * what cannot beat the others is not computed at all. Used by one thread at a time.
  */
 final class CommitOrWait {
     /** After so many wrong objects in a row the rest of the value is that of waiting. */
@@ -49,7 +51,8 @@ final class CommitOrWait {
         this.uniform = Simplex.uniform(n);
         this.picks = new int[n];
         scene.acts().stream().filter(ActModel::isPick).forEach(m -> picks[m.target()] = m.index());
-        this.waitReward = scene.model(Act.WAIT).type().parameters().reward();
+        Task start = domain.task(scene);
+        this.waitReward = start.effect(Act.WAIT).reward();
         double[] fresh = Simplex.uniform(n - 1);
         this.afterHandover = n == 1 ? 0 : waiting(domain.matchReward(fresh, fresh, n - 1));
         this.rest = new double[MOST_PICKS][n];
@@ -58,7 +61,8 @@ final class CommitOrWait {
         this.wish = new double[n];
         this.asking = new AskInTurn(scene);
         double gamma = domain.discount();
-        this.pricePerIncrement = scene.acts().get(picks[0]).type().parameters().reward() + domain.matchBound();
+        this.pricePerIncrement = Arrays.stream(picks).mapToDouble(k -> start.effect(k).reward()).max().orElseThrow()
+                + domain.matchBound();
         this.pricePerPick = pricePerIncrement * PickPrice.prices(domain.pickRule(), gamma);
         this.lastDiscount = PickPrice.outcome(domain.pickRule(), gamma);
         double best = Math.max(Math.max(0, pricePerIncrement) + Math.max(0, domain.pickReward(true)) + Math.max(0, afterHandover),
@@ -78,7 +82,8 @@ final class CommitOrWait {
     /** The value of a belief at which no pick has just completed. */
     double value(HandoverSearch.Node node) {
         SearchBelief b = node.b;
-        double best = Math.max(waiting(Math.min(node.match, matchUniform(b))), asking(node));
+        double best = Math.max(waiting(Math.min(node.match, matchUniform(b))),
+                asking(b) + asking.repeating(node.task, b.likeliest()));
         if (domain.spec().tau() < 1 || commitBound(node) > best) {
             best = Math.max(best, committing(node, b.likeliest()));
         }
@@ -103,11 +108,12 @@ final class CommitOrWait {
         return (waitReward + match) / (1 - domain.discount());
     }
 
-    private double asking(HandoverSearch.Node node) {
-        if (Double.isNaN(node.b.asking)) {
-            node.b.asking = asking.value(node.b.p, node.task, waiting(domain.matchReward(uniform, uniform, n)));
+    /** The value of asking in turn when nothing is open. */
+    private double asking(SearchBelief b) {
+        if (Double.isNaN(b.asking)) {
+            b.asking = asking.value(b.p, waiting(domain.matchReward(uniform, uniform, n)));
         }
-        return node.b.asking;
+        return b.asking;
     }
 
     private double matchUniform(SearchBelief b) {
@@ -195,7 +201,7 @@ final class CommitOrWait {
     double boundWithoutPick(HandoverSearch.Node node) {
         SearchBelief b = node.b;
         if (Double.isNaN(b.bound)) {
-            double later = Math.max(asking(node), Math.max(waiting(domain.matchBound()), commitBound(node)));
+            double later = Math.max(asking(b) + asking.mostRepeated(), Math.max(waiting(domain.matchBound()), commitBound(node)));
             b.bound = domain.matchBound() + domain.discount() * later;
         }
         return b.bound;
@@ -213,7 +219,7 @@ final class CommitOrWait {
             int x = b.likeliest();
             double right = b.p[x];
             b.commitBound = commitBound(boundOfPick(right) - domain.matchBound());
-            if (b.commitBound > asking(node)) {
+            if (b.commitBound > asking(b)) {
                 Task picking = node.task.effect(picks[x]).during();
                 double afterRejection = right < 1 ? afterRejection(b, x, picking) : 0;
                 b.commitBound = commitBound(search.pickReward(right)

@@ -12,6 +12,7 @@ import handover.domain.Words;
 import handover.math.Simplex;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentMap;
 import java.util.random.RandomGenerator;
 
@@ -20,7 +21,7 @@ import java.util.random.RandomGenerator;
  * enumerated, speech and gestures are sampled. Everything that is added up here comes from the seams of the domain. Used by
  * one thread at a time.
  */
-final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
+public final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
     private final HandoverDomain domain;
     private final int capacity;
     private final int actCapacity;
@@ -42,8 +43,18 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         this.actCapacity = largest.acts().size();
     }
 
+    /** A search by itself, for beliefs over at most the objects of {@code largest}. */
+    public HandoverSearch(Scene largest) {
+        this(largest, new ConcurrentHashMap<>());
+    }
+
+    /** A node that holds a belief. */
+    public Node root(HandoverBelief belief) {
+        return node().load(belief);
+    }
+
     /** A belief with its known part; between act and observation also what is under way. */
-    final class Node {
+    public final class Node {
         /** {@link #own} or, where nothing was observed, another node's. */
         SearchBelief b;
         double[] h;
@@ -177,13 +188,13 @@ final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         }
     }
 
-    /** b once {@code x} is known not to be wanted; uniform stays if that was thought impossible. */
+    /** b once {@code x}, which was not certain, is known not to be wanted. */
     private static void exclude(int x, double[] b, int n, double[] out, int outSize) {
         double others = 0;
         for (int i = 0; i < n; i++) {
             others += i == x ? 0 : b[i];
         }
-        for (int i = 0, j = 0; i < n && others > 0; i++) {
+        for (int i = 0, j = 0; i < n; i++) {
             if (i != x || outSize == n) {
                 out[j++] = i == x ? 0 : b[i] / others;
             }

@@ -1,8 +1,8 @@
 package handover.solver;
 
 import handover.belief.HandoverBelief;
-import handover.domain.ActModel;
 import handover.domain.Act;
+import handover.domain.ActModel;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;

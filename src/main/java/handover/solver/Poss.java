@@ -20,7 +20,8 @@ import java.util.random.RandomGenerator;
  *
  * @param horizon H, acts to look ahead, at least 1
  * @param width C, observations sampled for each act, at least 1
- * @param leaves whether beliefs at the horizon are worth what "hand over the likeliest or wait" earns there, or 0
+ * @param leaves whether beliefs at the horizon are worth what the best simple policy earns there (hand over the likeliest, ask in turn, or
+ *     wait), or 0
  */
 public record Poss(int horizon, int width, boolean leaves) implements Solver {
     /** Throws {@link IllegalArgumentException} for a horizon or width below 1. */

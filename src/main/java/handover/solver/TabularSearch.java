@@ -71,15 +71,16 @@ public final class TabularSearch implements BeliefMdp<TabularSearch.Node> {
             for (int a = 0; a < acts.size(); a++) {
                 for (TransitionProb t : model.transitions(states.get(s), acts.get(a))) {
                     reward[a][s] += t.p * t.eo.r;
-                    transition[a][s][enumerator.getEnumeratedID(t.eo.op)] += t.p;
+                    int next = enumerator.getEnumeratedID(t.eo.op);
+                    if (next >= n) {
+                        throw new IllegalArgumentException("expected all reachable states to be enumerated, found another: " + t.eo.op);
+                    }
+                    transition[a][s][next] += t.p;
                 }
                 for (int o = 0; o < observations.size(); o++) {
                     observation[a][o][s] = senses.probability(observations.get(o), states.get(s), acts.get(a));
                 }
             }
-        }
-        if (enumerator.numStatesEnumerated() > n) {
-            throw new IllegalArgumentException("expected all reachable states to be enumerated, found more than " + n);
         }
     }
 

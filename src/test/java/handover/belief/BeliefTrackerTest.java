@@ -5,15 +5,19 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import handover.domain.Act;
 import handover.domain.Answer;
 import handover.domain.DomainSpec;
 import handover.domain.Gesture;
 import handover.domain.HandoverDomain;
+import handover.domain.Observation;
+import handover.domain.PickParameters;
 import handover.domain.PickSignal;
 import handover.domain.Speech;
 import handover.domain.TableObject;
+import handover.io.DomainFiles;
 import handover.math.Vector3;
 import java.util.List;
 import java.util.Map;
@@ -116,5 +120,19 @@ class BeliefTrackerTest {
         t.abandoned(ASK);
         assertSame(before, t.now());
         assertEquals(List.of(), t.evidence());
+    }
+
+    /** A "no" that is heard while an increment stalls that would have completed the pick counts, event by event as at once. */
+    @Test
+    void aNoDuringAStalledLastIncrementCounts() {
+        HandoverDomain unsure = DomainFiles.domain(DomainFiles.read("bowls-incremental")
+                .with(s -> s.pick = new PickParameters(1, 0.5)));
+        Act pick = Act.of("PICK", "metal_bowl");
+        Speech no = Speech.of("no", unsure.vocabulary());
+        HandoverBelief whole = HandoverBelief.initial(unsure).after(pick).given(new Observation(no, null, PickSignal.NONE));
+        HandoverBelief events = BeliefTracker.of(HandoverBelief.initial(unsure)).started(pick).heard(no)
+                .completed(pick, PickSignal.NONE).now().closed();
+        assertArrayEquals(whole.probabilities(), events.probabilities(), 1e-12);
+        assertTrue(events.probabilities()[0] < 0.01, "b = " + events.probabilities()[0]);
     }
 }

@@ -17,9 +17,10 @@ import handover.domain.HandoverState;
 import handover.domain.Observation;
 import handover.solver.BurlapPlanner;
 import handover.solver.Deadline;
+import handover.solver.HandoverSearch;
 import handover.solver.Poss;
+import handover.solver.SparseSampling;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 
@@ -36,14 +37,14 @@ final class BeliefRules {
             State s = walk.start();
             HandoverBelief belief = HandoverBelief.initial(walk.domain);
             Map<State, Double> states = states(belief);
+            Action act = null;
             for (int k = 0; k < STEPS && !walk.model.terminal(s); k++) {
-                List<Action> acts = walk.legal(s);
-                Action act = acts.get(walk.random.nextInt(acts.size()));
+                act = walk.choose(s, act);
                 EnvironmentOutcome outcome = walk.model.sample(s, act);
                 State o = walk.senses.sample(outcome.op, act);
                 belief = belief.after((Act) act).given((Observation) o);
                 states = bayes(walk, states, act, o);
-                assertAgree(belief, states, "after " + act + " and " + o + " in " + s);
+                assertAgree(belief, states, "after " + act + " and " + o + " in " + Walk.line(s));
                 s = outcome.op;
             }
         }
@@ -91,26 +92,50 @@ final class BeliefRules {
         if (walk.domain.beliefDependentReward()) {
             return;
         }
-        HandoverBelief belief = HandoverBelief.initial(walk.domain);
-        for (Walk.Visit v : walk.visits().subList(0, 10)) {
-            if (belief.task().done() || !walk.legal(belief).contains(v.act())) {
-                belief = HandoverBelief.initial(walk.domain);
+        for (int e = 0; e < EPISODES / 2; e++) {
+            State s = walk.start();
+            HandoverBelief belief = HandoverBelief.initial(walk.domain);
+            Action act = null;
+            for (int k = 0; k < STEPS && !belief.task().done(); k++) {
+                assertRewards(walk, belief);
+                act = walk.choose(s, act);
+                s = walk.model.sample(s, act).op;
+                belief = belief.after((Act) act).given((Observation) walk.senses.sample(s, act));
             }
-            Map<Act, Double> values = new Poss(1, 1, false).solve(walk.domain, new SplittableRandom(1))
-                    .decide(belief, Deadline.NONE, new SplittableRandom(1)).values();
-            for (Action act : walk.legal(belief)) {
-                double expected = 0;
-                for (Map.Entry<State, Double> e : states(belief).entrySet()) {
-                    for (TransitionProb t : walk.model.transitions(e.getKey(), act)) {
-                        expected += e.getValue() * t.p * t.eo.r;
-                    }
+        }
+    }
+
+    private static void assertRewards(Walk walk, HandoverBelief belief) {
+        Map<Act, Double> values = new Poss(1, 1, false).solve(walk.domain, new SplittableRandom(1))
+                .decide(belief, Deadline.NONE, new SplittableRandom(1)).values();
+        for (Action act : walk.legal(belief)) {
+            double expected = 0;
+            for (Map.Entry<State, Double> e : states(belief).entrySet()) {
+                for (TransitionProb t : walk.model.transitions(e.getKey(), act)) {
+                    expected += e.getValue() * t.p * t.eo.r;
                 }
-                assertEquals(expected, values.get((Act) act), ROUNDING, "reward of " + act + " at " + belief);
             }
-            HandoverBelief predicted = belief.after((Act) v.act());
-            State hidden = states(predicted).keySet().iterator().next();
-            belief = predicted.pickPending() || predicted.task().target() != null ? HandoverBelief.initial(walk.domain)
-                    : predicted.given((Observation) walk.senses.sample(hidden, v.act()));
+            assertEquals(expected, values.get((Act) act), ROUNDING, "reward of " + act + " at " + belief + ", " + belief.task());
+        }
+    }
+
+    /** Two acts ahead with few samples, the values are the same to the last bit with and without bounds. */
+    static void pruning(Walk walk) {
+        State s = walk.start();
+        HandoverBelief belief = HandoverBelief.initial(walk.domain);
+        Action act = null;
+        for (int k = 0; k < STEPS && !belief.task().done(); k++) {
+            HandoverSearch mdp = new HandoverSearch(belief.scene());
+            double[] pruned = new double[belief.scene().acts().size()];
+            double[] whole = pruned.clone();
+            new SparseSampling<>(mdp, 2, true).values(mdp.root(belief), 2, 11, Deadline.NONE, pruned);
+            new SparseSampling<>(new Unbounded<>(mdp), 2, true).values(mdp.root(belief), 2, 11, Deadline.NONE, whole);
+            for (int a = 0; a < whole.length; a++) {
+                assertEquals(whole[a], pruned[a], 0, "value of " + belief.scene().acts().get(a) + " at " + belief + ", " + belief.task());
+            }
+            act = walk.choose(s, act);
+            s = walk.model.sample(s, act).op;
+            belief = belief.after((Act) act).given((Observation) walk.senses.sample(s, act));
         }
     }
 
@@ -123,7 +148,7 @@ final class BeliefRules {
         agent.setUpdater(new HandoverBeliefUpdate());
         agent.setBeliefState(belief);
         Episode episode = agent.actUntilTerminalOrMaxSteps(100);
-        assertTrue(episode.numActions() > 0, "the agent did nothing from " + start);
-        assertTrue(episode.rewardSequence.stream().allMatch(Double::isFinite), "rewards " + episode.rewardSequence);
+        assertTrue(episode.numActions() > 0, "the agent did nothing from " + Walk.line(start));
+        assertTrue(episode.rewardSequence.stream().allMatch(Double::isFinite), "rewards " + episode.rewardSequence + " of " + episode.actionSequence + " from " + Walk.line(start));
     }
 }

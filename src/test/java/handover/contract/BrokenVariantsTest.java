@@ -19,6 +19,7 @@ import handover.domain.HandoverDomain;
 import handover.domain.HandoverState;
 import handover.domain.Observation;
 import handover.domain.TableObject;
+import handover.domain.Task;
 import handover.domain.WaitType;
 import handover.io.DomainFiles;
 import handover.math.MatchScore;
@@ -152,6 +153,12 @@ class BrokenVariantsTest {
                     @Override
                     public double matchReward(double[] b, double[] h, int n) {
                         return MatchScore.L1.of(b, h, n);
+                    }
+                }),
+                new Broken("a price that the bounds cannot know", 18, () -> new HandoverDomain(SPEC) {
+                    @Override
+                    public double actReward(Task before, ActModel act) {
+                        return super.actReward(before, act) + (act.isPick() && before.reference() != null ? 300 : 0);
                     }
                 }),
                 new Broken("a domain that BURLAP's agent cannot use", 17, () -> new HandoverDomain(SPEC) {

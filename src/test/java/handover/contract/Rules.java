@@ -23,5 +23,6 @@ public final class Rules {
             new Rule(14, "a domain survives being written to a file", StateRules::serialisation),
             new Rule(15, "the filter agrees with Bayes' rule by enumeration of states", BeliefRules::filter),
             new Rule(16, "the search's reward is the expected reward of the states", BeliefRules::rewards),
-            new Rule(17, "BURLAP's agent plays it in BURLAP's environment", BeliefRules::burlap));
+            new Rule(17, "BURLAP's agent plays it in BURLAP's environment", BeliefRules::burlap),
+            new Rule(18, "what the search leaves out by its bounds changes no value", BeliefRules::pruning));
 }

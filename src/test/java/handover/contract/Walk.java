@@ -34,8 +34,13 @@ final class Walk {
     record Visit(State state, Action act, State next, double reward) {
         @Override
         public String toString() {
-            return "in " + state + " doing " + act;
+            return "doing " + act + " in " + line(state);
         }
+    }
+
+    /** A state on one line. */
+    static String line(State s) {
+        return String.valueOf(s).replaceAll("\\s*\\R\\s*", "; ");
     }
 
     Walk(HandoverDomain domain) {
@@ -62,18 +67,14 @@ final class Walk {
         return all.get(Simplex.sample(all.stream().mapToDouble(states::get).toArray(), all.size(), random));
     }
 
-    /** Random episodes; they often go on with what they began, and often reach for what is wanted, so that they end. */
+    /** What random episodes pass through. */
     List<Visit> visits() {
         List<Visit> all = new ArrayList<>();
         for (int e = 0; e < EPISODES; e++) {
             State s = start();
             Action last = null;
             for (int k = 0; k < STEPS && !model.terminal(s); k++) {
-                List<Action> acts = legal(s);
-                Action right = Act.of(PickType.VERB, wanted(s));
-                Action liked = random.nextInt(2) == 0 ? right : last;
-                boolean on = acts.contains(liked) && random.nextInt(2) == 0;
-                Action act = on ? liked : acts.get(random.nextInt(acts.size()));
+                Action act = choose(s, last);
                 EnvironmentOutcome o = model.sample(s, act);
                 all.add(new Visit(s, act, o.op, o.r));
                 s = o.op;
@@ -81,6 +82,15 @@ final class Walk {
             }
         }
         return all;
+    }
+
+    /** A legal act: often the last one again, or a reach for what is wanted, so that picks of several increments complete. */
+    Action choose(State s, Action last) {
+        List<Action> acts = legal(s);
+        Action right = Act.of(PickType.VERB, wanted(s));
+        Action liked = random.nextInt(2) == 0 ? right : last;
+        boolean on = acts.contains(liked) && random.nextInt(2) == 0;
+        return on ? liked : acts.get(random.nextInt(acts.size()));
     }
 
     private static String wanted(State s) {

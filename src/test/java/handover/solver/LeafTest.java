@@ -96,4 +96,30 @@ class LeafTest {
         assertEquals(Act.of("PICK", "cup"), new Poss(2, 10, true).solve(domain, new SplittableRandom(1))
                 .decide(sure, Deadline.NONE, new SplittableRandom(1)).act());
     }
+
+    /** A leaf is worth the same whichever act was looked at before; asking again costs, asking after another act does not. */
+    @Test
+    void aLeafDoesNotDependOnTheOrderOfActs() {
+        HandoverDomain domain = new HandoverDomain(spec());
+        HandoverSearch search = new HandoverSearch(domain.start());
+        HandoverBelief belief = HandoverBelief.of(domain.task(domain.start()), new double[] {0.6, 0.4}, Simplex.uniform(2));
+        HandoverSearch.Node root = search.root(belief);
+        double[] inOrder = new double[domain.start().acts().size()];
+        for (int a = 0; a < inOrder.length; a++) {
+            inOrder[a] = leafAfter(search, root, a);
+        }
+        for (int a = inOrder.length - 1; a >= 0; a--) {
+            HandoverSearch alone = new HandoverSearch(domain.start());
+            assertEquals(leafAfter(alone, alone.root(belief), a), inOrder[a], 0, domain.start().acts().get(a).toString());
+        }
+        int ask = domain.start().model(Act.of("ASK", "cup")).index();
+        int wait = domain.start().model(Act.WAIT).index();
+        assertEquals(inOrder[wait] - 2, inOrder[ask], 1e-9, "the annoyance of asking the same again");
+    }
+
+    private static double leafAfter(HandoverSearch search, HandoverSearch.Node root, int act) {
+        HandoverSearch.Node predicted = search.node();
+        search.start(root, act, predicted);
+        return search.leaf(predicted);
+    }
 }

@@ -17,13 +17,13 @@ import handover.domain.PickSignal;
 import handover.domain.Rewards;
 import handover.domain.Speech;
 import handover.domain.WrongPick;
+import handover.contract.Unbounded;
 import handover.io.DomainFiles;
 import handover.math.MatchScore;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.random.RandomGenerator;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -88,7 +88,7 @@ class PossTest {
     @ParameterizedTest
     @EnumSource(MatchScore.class)
     void pruningChangesNoValue(MatchScore score) {
-        for (String name : List.of("bowls-and-spoons", "table-line-6")) {
+        for (String name : List.of("bowls-and-spoons", "table-line-6", "bowls-incremental")) {
             for (int handovers : new int[] {1, 2}) {
                 DomainSpec spec = scored(DomainFiles.read(name), score).with(s -> s.handovers = handovers);
                 HandoverDomain domain = new HandoverDomain(spec);
@@ -100,59 +100,6 @@ class PossTest {
                 new SparseSampling<>(new Unbounded<>(mdp), 4, true).values(root, 2, 11, Deadline.NONE, whole);
                 assertArrayEquals(whole, pruned, 0, name + " " + handovers);
             }
-        }
-    }
-
-    /** A belief MDP without the bound of another one. */
-    private record Unbounded<N>(BeliefMdp<N> mdp) implements BeliefMdp<N> {
-        @Override
-        public N node() {
-            return mdp.node();
-        }
-
-        @Override
-        public double discount() {
-            return mdp.discount();
-        }
-
-        @Override
-        public int acts(N node) {
-            return mdp.acts(node);
-        }
-
-        @Override
-        public double start(N node, int act, N next) {
-            return mdp.start(node, act, next);
-        }
-
-        @Override
-        public int outcomes(N predicted) {
-            return mdp.outcomes(predicted);
-        }
-
-        @Override
-        public double outcome(N predicted, int k, N next) {
-            return mdp.outcome(predicted, k, next);
-        }
-
-        @Override
-        public boolean sampled(N outcome) {
-            return mdp.sampled(outcome);
-        }
-
-        @Override
-        public void sample(N outcome, double stratum, RandomGenerator random, N next) {
-            mdp.sample(outcome, stratum, random, next);
-        }
-
-        @Override
-        public double leaf(N predicted) {
-            return mdp.leaf(predicted);
-        }
-
-        @Override
-        public double bound(N node, int act) {
-            return Double.POSITIVE_INFINITY;
         }
     }
 
