@@ -3,10 +3,11 @@ package handover.cli;
 import picocli.CommandLine.Command;
 
 /** Experiments on the model itself. */
-@Command(name = "analyze", description = "Experiments: what the match rewards want (reward), what increments are good for (cancels).")
+@Command(name = "analyze", description = "Experiments: what the match rewards want (reward), what increments are good for (cancels), "
+    + "what a stored policy is worth (nearest).")
 final class Analyze implements Runnable {
     @Override
     public void run() {
-        throw new UsageException("expected an experiment: analyze reward, analyze cancels; see handover analyze --help");
+        throw new UsageException("expected an experiment: analyze reward, analyze cancels, analyze nearest; see handover analyze --help");
     }
 }

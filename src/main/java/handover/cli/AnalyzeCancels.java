@@ -55,7 +55,7 @@ final class AnalyzeCancels implements Callable<Integer> {
             throw new UsageException("--domain: expected one handover of an object that stays the same (handovers 1, tau 1)");
         }
         List<Solver> chosen = solvers.stream().map(Solvers::parse).toList();
-        HandoverDomain without = DomainFiles.domain(spec.with(s -> s.variant = DomainSpec.BASE));
+        HandoverDomain without = DomainFiles.domain(spec.with(s -> s.variant = withoutIncrements(spec)));
         TextTable table = new TextTable(40, List.of("solver", "increments", "wrong picks % [95%]", "correct cancels", "false cancels",
                 "objections", "heeded", "acts to cancel", "return", "seconds"));
         for (Solver solver : chosen) {
@@ -67,6 +67,16 @@ final class AnalyzeCancels implements Callable<Integer> {
                 + "\nper 1,000 episodes. Objections: reaches for something else during which the person said no, per 1,000 episodes;"
                 + "\nheeded: how many of them were called off; acts to cancel: from the no to another act, 1 is at once.\n");
         return Main.FINE;
+    }
+
+    /** The shipped variant that differs in nothing but the increments. */
+    private static String withoutIncrements(DomainSpec spec) {
+        return switch (spec.variant()) {
+            case "incremental" -> DomainSpec.BASE;
+            case "incremental_communicated" -> "communicated";
+            default -> throw new UsageException("--domain: expected the variant incremental or incremental_communicated, got "
+                    + spec.variant());
+        };
     }
 
     private void add(TextTable table, Solver solver, int increments, HandoverDomain on) throws InterruptedException {

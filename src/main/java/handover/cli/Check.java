@@ -32,7 +32,7 @@ final class Check implements Callable<Integer> {
         int bad = 0;
         for (String file : files) {
             try {
-                console.out().println("ok: " + line(domain == null ? DomainFiles.read(file)
+                console.out().println("ok: " + file + ": " + line(domain == null ? DomainFiles.read(file)
                         : DomainFiles.readHuman(domain, Path.of(file))));
             } catch (DomainFileException e) {
                 console.err().println("handover: " + e.getMessage());

@@ -44,6 +44,10 @@ public final class Main implements Runnable {
         PrintStream out = new PrintStream(new FileOutputStream(FileDescriptor.out), true, StandardCharsets.UTF_8);
         PrintStream err = new PrintStream(new FileOutputStream(FileDescriptor.err), true, StandardCharsets.UTF_8);
         int code = run(args, new Console(System.in, out, err, Console.errorIsTerminal(), System::nanoTime));
+        if (out.checkError()) {
+            err.println("handover: the output could not be written");
+            code = DIFFERENT;
+        }
         if (code != FINE) {
             System.exit(code);
         }
@@ -98,7 +102,7 @@ public final class Main implements Runnable {
         if (input) {
             return complain(e, BAD_INPUT, cause.getMessage());
         } else if (cause instanceof FileSystemException f) {
-            return complain(e, DIFFERENT, f.getFile() + ": " + (f.getReason() == null ? explain(f) : f.getReason()));
+            return complain(e, BAD_INPUT, f.getFile() + ": " + (f.getReason() == null ? explain(f) : f.getReason()));
         } else if (cause instanceof IOException || cause instanceof IllegalStateException) {
             return complain(e, DIFFERENT, cause.getMessage());
         }

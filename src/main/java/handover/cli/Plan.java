@@ -90,9 +90,24 @@ final class Plan implements Callable<Integer> {
         Decision decision = policy.decide(at, Deadlines.after(deadlineMs, console.nanoClock()).get(),
                 Streams.of(seed, "planner", 0));
         double milliseconds = (console.nanoClock().getAsLong() - before) / 1e6;
+        refuseNonsense(chosen, at, decision);
         console.out().print(json ? Replies.decision(at, decision, milliseconds) + "\n"
                 : text(on.spec().name(), chosen.name(), at, decision, milliseconds));
         return Main.FINE;
+    }
+
+    /** What a user's own solver or variant may come up with. */
+    private static void refuseNonsense(Solver solver, HandoverBelief at, Decision decision) {
+        if (at.scene().model(decision.act()) == null) {
+            throw new IllegalStateException(solver.name() + " chose " + decision.act() + ", which is not legal with " + at.scene()
+                    + " on the table");
+        }
+        decision.values().forEach((act, value) -> {
+            if (!Double.isFinite(value)) {
+                throw new IllegalStateException(solver.name() + " finds " + act + " worth " + value
+                        + "; a reward of the domain is no number, or the solver is at fault");
+            }
+        });
     }
 
     private String text(String name, String solverName, HandoverBelief at, Decision decision, double milliseconds) {
@@ -106,7 +121,8 @@ final class Plan implements Callable<Integer> {
         text.append('\n').append(beliefs.text()).append("\nbest: ").append(decision.act());
         text.append(model == null || model.say().isEmpty() ? "" : ", saying \"" + model.say() + "\"").append('\n');
         text.append(number("looked %d acts ahead at %d beliefs in %.1f ms, ", decision.depth(), decision.nodes(), milliseconds))
-                .append(decision.finished() ? "finished" : "stopped by the deadline").append('\n');
+                .append(decision.finished() ? "finished" : "stopped by the deadline").append('\n')
+                .append(decision.note().isEmpty() ? "" : decision.note() + "\n");
         List<Map.Entry<Act, Double>> values = decision.values().entrySet().stream()
                 .sorted(Map.Entry.comparingByValue(Comparator.reverseOrder())).toList();
         if (!values.isEmpty()) {

@@ -20,7 +20,7 @@ final class ResultTables {
             Brier       the same as a squared error, from -2 to 0, 0 is best
             h to b      how far what the person expects is from what the robot believes, from 0 (the same) to 2
             ms p50/p99  milliseconds that a decision took: half took at most the first, 99 of 100 at most the second
-            +-          half of a 95% interval: how far the mean may be off because there were only so many episodes
+            +-          the longer arm of a 95% interval: how far the mean may be off because there were only so many episodes
             """;
 
     /**
@@ -67,7 +67,8 @@ final class ResultTables {
     }
 
     private static String cell(Estimate e, int decimals) {
-        String half = Double.isInfinite(e.half()) ? "?" : format("%." + decimals + "f", e.half());
+        double longerArm = Math.max(e.value() - e.low(), e.high() - e.value());
+        String half = Double.isInfinite(longerArm) ? "?" : format("%." + decimals + "f", longerArm);
         return format("%." + decimals + "f", e.value()) + "+-" + half;
     }
 

@@ -115,6 +115,10 @@ final class Simulate implements Callable<Integer> {
         return resume ? file.resume(header, run) : file.create(header);
     }
 
+    private static String count(int n, String what) {
+        return n + " " + what + (n == 1 ? "" : "s");
+    }
+
     private String introduction(RunHeader header) {
         List<String> names = header.domain().objects().stream().map(TableObject::name).toList();
         String more = names.size() > MOST_NAMED ? " and " + (names.size() - MOST_NAMED) + " more" : "";
@@ -122,8 +126,9 @@ final class Simulate implements Callable<Integer> {
         return "A robot is to hand a person the object that they want; it does not know which, but sees and hears them.\n"
                 + "On the table (domain " + header.domain().name() + "): "
                 + names.stream().limit(MOST_NAMED).collect(Collectors.joining(", ")) + more + ".\n"
-                + "The robot can do " + acts + " things. " + header.solvers().size() + " solvers play " + header.episodes()
-                + " episodes each, with the same people and the same luck: seed " + header.seed() + ".\n"
+                + "The robot can do " + acts + " things. " + count(header.solvers().size(), "solver")
+                + (header.solvers().size() == 1 ? " plays " : " play ") + count(header.episodes(), "episode")
+                + (header.solvers().size() == 1 ? "" : " each, with the same people and the same luck") + ": seed " + header.seed() + ".\n"
                 + (header.asModelled() ? "People speak, point and answer as the robot believes that they do.\n"
                         : "People are not as the robot believes, but as in " + human + ".\n")
                 + (deadlineMs == 0 ? "" : "A decision takes at most " + deadlineMs

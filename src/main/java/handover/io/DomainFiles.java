@@ -100,7 +100,7 @@ public final class DomainFiles {
      * @throws DomainFileException as {@link #read}, or if the variant cannot be made
      */
     public static HandoverDomain load(String nameOrPath) {
-        return domain(read(nameOrPath));
+        return Variants.create(read(nameOrPath), Place.of(nameOrPath));
     }
 
     /** The domain that a spec describes. Throws {@link DomainFileException} if its variant cannot be made. */

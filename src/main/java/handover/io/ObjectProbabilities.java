@@ -3,6 +3,7 @@ package handover.io;
 import handover.domain.Scene;
 import handover.domain.TableObject;
 import handover.math.Simplex;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -24,6 +25,9 @@ public final class ObjectProbabilities {
     public static double[] read(String textOrFile, Scene scene, String source) {
         if (textOrFile.indexOf('=') >= 0) {
             return of(parse(textOrFile, Place.of(source)), scene, Place.of(source));
+        }
+        if (textOrFile.isBlank() || textOrFile.startsWith("{") || !Files.exists(Path.of(textOrFile))) {
+            throw Place.of(source).error("expected NAME=PROBABILITY,NAME=PROBABILITY or a JSON file, got \"" + textOrFile + "\"");
         }
         DomainSource file = DomainSource.ofFile(Path.of(textOrFile));
         Place place = Place.of(file.name());

@@ -76,6 +76,9 @@ public final class Replies {
                 .forEach(v -> values.put(v.getKey().toString(), v.getValue()));
         tree.put("depth", decision.depth()).put("nodes", decision.nodes()).put("ms", milliseconds)
                 .put("finished", decision.finished());
+        if (!decision.note().isEmpty()) {
+            tree.put("note", decision.note());
+        }
         return Json.line(tree);
     }
 

@@ -72,7 +72,7 @@ public final class EpisodeRunner {
             HandoverBelief shown = solver.clairvoyant() ? belief.revealed(world.state().wanted()) : belief;
             tally.score(shown, world.state().wanted());
             long before = nanoClock.getAsLong();
-            Decision decision = policy.decide(shown, deadlines.get(), chance);
+            Decision decision = decide(index, shown, chance);
             nanos.add(nanoClock.getAsLong() - before);
             Step step = step(world, belief, decision.act());
             tally.add(step, world.state().task().signal());
@@ -81,6 +81,14 @@ public final class EpisodeRunner {
         }
         return new Episode(index, solver.name(), wanted, start, List.copyOf(steps), tally.measures(belief),
                 nanos.stream().mapToLong(n -> n).toArray());
+    }
+
+    private Decision decide(int index, HandoverBelief belief, RandomGenerator chance) {
+        try {
+            return policy.decide(belief, deadlines.get(), chance);
+        } catch (RuntimeException e) {
+            throw new IllegalStateException(solver.name() + " failed in episode " + index + ", at " + belief + ": " + e, e);
+        }
     }
 
     private Step step(World world, HandoverBelief belief, Act act) {

@@ -26,6 +26,7 @@ public final class SparseSampling<N> {
     private Deadline deadline = Deadline.NONE;
     private final SeededRandom random = new SeededRandom();
     private long nodes;
+    private int untilCheck;
     private boolean stopped;
 
     /** The nodes that the search needs at one depth. */
@@ -59,6 +60,7 @@ public final class SparseSampling<N> {
         }
         deadline = limit;
         stopped = false;
+        untilCheck = NODES_BETWEEN_CHECKS;
         int acts = mdp.acts(root);
         for (int a = 0; a < acts && !stopped; a++) {
             q[a] = actValue(root, a, horizon, seed);
@@ -67,8 +69,10 @@ public final class SparseSampling<N> {
     }
 
     private double value(N node, int horizon, long seed) {
-        if (++nodes % NODES_BETWEEN_CHECKS == 0 && deadline.passed()) {
-            stopped = true;
+        nodes++;
+        if (--untilCheck == 0) {
+            untilCheck = NODES_BETWEEN_CHECKS;
+            stopped = deadline.passed();
         }
         int acts = mdp.acts(node);
         if (acts == 0) {

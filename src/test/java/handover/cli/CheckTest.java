@@ -18,8 +18,8 @@ class CheckTest {
     void goodFilesAreSummedUp() {
         Output o = Output.of("check", "bowls-and-spoons", "table-line-6");
         assertEquals(Main.FINE, o.code());
-        assertTrue(o.out().matches("ok: bowls-and-spoons, 4 objects, 17 acts, [0-9a-f]{16}\n"
-                + "ok: table-line-6, 6 objects, 25 acts, [0-9a-f]{16}\n"), o.out());
+        assertTrue(o.out().matches("ok: bowls-and-spoons: bowls-and-spoons, 4 objects, 17 acts, [0-9a-f]{16}\n"
+                + "ok: table-line-6: table-line-6, 6 objects, 25 acts, [0-9a-f]{16}\n"), o.out());
         assertEquals("", o.err());
     }
 
@@ -41,7 +41,7 @@ class CheckTest {
         Path bad = Files.writeString(folder.resolve("bad.json"), "{\"tau\": 9}");
         Output o = Output.of("check", "--human", "bowls-and-spoons", good.toString(), bad.toString());
         assertEquals(Main.BAD_INPUT, o.code());
-        assertTrue(o.out().startsWith("ok: bowls-and-spoons, 4 objects, 17 acts, "), o.out());
+        assertTrue(o.out().startsWith("ok: " + good + ": bowls-and-spoons, 4 objects, 17 acts, "), o.out());
         assertEquals("handover: " + bad + ": tau: expected a probability in [0, 1], got 9.0\n", o.err());
     }
 }

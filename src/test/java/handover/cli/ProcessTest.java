@@ -24,7 +24,7 @@ class ProcessTest {
     @Test
     void simulatesWithoutAnyArgument() throws Exception {
         assertEquals(Main.FINE, start("check", "kitchen-20"), err());
-        assertTrue(out().startsWith("ok: kitchen-20, 20 objects, "), out());
+        assertTrue(out().startsWith("ok: kitchen-20: kitchen-20, 20 objects, "), out());
         assertEquals("", err());
         assertEquals(Main.FINE, start(), err());
         assertTrue(out().contains("\nposs:H=2,C=10 "), out());

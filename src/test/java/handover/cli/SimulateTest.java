@@ -105,7 +105,7 @@ class SimulateTest {
         Path nowhere = folder.resolve("no/such/folder.jsonl");
         Output o = simulate(nowhere);
         assertEquals("handover: " + nowhere + ": there is no such file or folder\n", o.err());
-        assertEquals(Main.DIFFERENT, o.code());
+        assertEquals(Main.BAD_INPUT, o.code());
     }
 
     @Test

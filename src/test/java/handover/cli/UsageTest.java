@@ -32,7 +32,7 @@ class UsageTest {
             plan --belief color_bowl=much | --belief: color_bowl: expected a probability in [0, 1], got "much"
             plan --belief color_bowl=1,metal_bowl | --belief: expected NAME=PROBABILITY,NAME=PROBABILITY, got "metal_bowl"
             plan --belief color_bowl=1,color_bowl=0 | --belief: color_bowl: expected each object once, got it twice
-            plan --human-belief nothing.json | nothing.json: there is no such file
+            plan --human-belief nothing.json | --human-belief: expected NAME=PROBABILITY,NAME=PROBABILITY or a JSON file, got "nothing.json"
             plan --foo | Unknown option: '--foo'
             check | Missing required parameter: 'FILE'
             replay nothing.jsonl | nothing.jsonl: there is no such file

@@ -43,6 +43,11 @@ public class HoldUpDomain extends HandoverDomain {
         }
 
         @Override
+        public String say(Act act, List<TableObject> present) {
+            return "one of these?";
+        }
+
+        @Override
         public double[] match(Act act, List<TableObject> present) {
             return present.stream().mapToDouble(o -> act.objects().contains(o.name()) ? 1 : 0).toArray();
         }

@@ -52,6 +52,18 @@ class ReadmeTest {
         assertEquals(3, replies.lines().filter(l -> l.contains("\"type\":\"belief\"")).count(), replies);
     }
 
+    /** The replies that it shows are the first ones of those that are made, shortened. */
+    @Test
+    void itsRepliesAreReal() throws IOException {
+        assertTrue(readme().contains("{\"v\":1,\"type\":\"belief\",\"belief\":{\"blue_cylinder\":0.16666666666666666,"));
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        Main.run(new String[] {"infer", "table-line-6"}, new ByteArrayInputStream(("{\"v\":1,\"type\":\"acted\",\"act\":\"ASK\","
+                + "\"objects\":[\"red_ball\"],\"status\":\"started\"}\n").getBytes(StandardCharsets.UTF_8)), new PrintStream(out), System.err);
+        String reply = out.toString(StandardCharsets.UTF_8);
+        assertTrue(reply.startsWith("{\"v\":1,\"type\":\"belief\",\"belief\":{\"blue_cylinder\":0.16666666666666666,"), reply);
+        assertTrue(reply.contains("\"red_ball\":0.7906229322242181"), reply);
+    }
+
     /** Each command and each script that it names is there. */
     @Test
     void itsCommandsExist() throws IOException {
@@ -62,7 +74,7 @@ class ReadmeTest {
         while (named.find()) {
             assertTrue(help.contains("  " + named.group(1)), "no command " + named.group(1) + " in:\n" + help);
         }
-        Matcher script = Pattern.compile("(scripts/[a-z_.]+)").matcher(readme());
+        Matcher script = Pattern.compile("(scripts/[a-z_.-]+)").matcher(readme());
         while (script.find()) {
             assertTrue(Files.isExecutable(Path.of(script.group(1))), script.group(1));
         }
