@@ -60,7 +60,7 @@ class ArchitectureTest {
 
     @TestFactory
     Stream<DynamicTest> librariesHaveOneHome() {
-        return Map.of("com.fasterxml.jackson..", "io,cli", "org.zeromq..", "bridge", "picocli..", "cli", "javax.swing..",
+        return Map.of("com.fasterxml.jackson..", "io", "org.ejml..", "math,theory", "org.zeromq..", "bridge", "picocli..", "cli", "javax.swing..",
                 "report", "java.awt..", "report").entrySet().stream()
                 .map(e -> DynamicTest.dynamicTest(e.getKey() + " only in " + e.getValue(), () -> {
                     String[] homes = Stream.of(e.getValue().split(",")).map(p -> "handover." + p + "..")
