@@ -29,7 +29,8 @@ public record TableObject(String name, Vector3 position, Map<String, Double> wor
             throw new InvalidParameterException("name", name, "another name, because a state calls what is known so");
         }
         Check.position("position", position);
-        SortedMap<String, Double> sorted = new TreeMap<>(words == null ? Map.of() : words);
+        SortedMap<String, Double> sorted = new TreeMap<>();
+        (words == null ? Map.<String, Double>of() : words).forEach((word, count) -> sorted.put(Utterance.normal(word), count));
         sorted.forEach((word, count) -> {
             String field = "words." + word;
             if (!WORD.matcher(word).matches()) {

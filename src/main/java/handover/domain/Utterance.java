@@ -1,5 +1,6 @@
 package handover.domain;
 
+import java.text.Normalizer;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
@@ -96,9 +97,14 @@ public record Utterance(Answer answer, List<String> content, List<String> negate
         return String.join(" ", parts);
     }
 
+    /** The same text with letters and their accents composed (Unicode NFC), as words are compared. */
+    static String normal(String text) {
+        return Normalizer.normalize(text, Normalizer.Form.NFC);
+    }
+
     private static List<String> split(String text) {
         List<String> tokens = new ArrayList<>();
-        Matcher m = TOKEN.matcher(text.toLowerCase(Locale.ROOT));
+        Matcher m = TOKEN.matcher(normal(text).toLowerCase(Locale.ROOT));
         while (m.find()) {
             tokens.add(m.group());
         }

@@ -109,4 +109,12 @@ class UtteranceParseTest {
         assertEquals(Utterance.SILENCE, Utterance.parse("", WORDS));
         assertEquals(false, Utterance.SILENCE.hasContent());
     }
+
+    /** A recogniser may write an accent as a character of its own. */
+    @Test
+    void accentsMayComeApart() {
+        TableObject tea = new TableObject("tea", new Vector3(0, 1, 0), Map.of("th\u00e9", 1.0, "gru\u0308n", 1.0), null);
+        Vocabulary vocabulary = new Vocabulary(List.of(tea), 0.2);
+        assertEquals(List.of("gr\u00fcn", "th\u00e9"), Utterance.parse("gr\u00fcn the\u0301", vocabulary).content());
+    }
 }
