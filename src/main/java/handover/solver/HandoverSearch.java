@@ -188,13 +188,13 @@ public final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         }
     }
 
-    /** b once {@code x}, which was not certain, is known not to be wanted. */
+    /** b once {@code x} is known not to be wanted; where nothing else was thought possible, {@code out} stays as it is. */
     private static void exclude(int x, double[] b, int n, double[] out, int outSize) {
         double others = 0;
         for (int i = 0; i < n; i++) {
             others += i == x ? 0 : b[i];
         }
-        for (int i = 0, j = 0; i < n; i++) {
+        for (int i = 0, j = 0; i < n && others > 0; i++) {
             if (i != x || outSize == n) {
                 out[j++] = i == x ? 0 : b[i] / others;
             }

@@ -24,6 +24,9 @@ import java.util.random.RandomGenerator;
  *     wait), or 0
  */
 public record Poss(int horizon, int width, boolean leaves) implements Solver {
+    /** What is kept about tables is dropped when there are more of them: where objects keep moving, old ones do not return. */
+    private static final int MOST_SCENES = 256;
+
     /** Throws {@link IllegalArgumentException} for a horizon or width below 1. */
     public Poss {
         if (horizon < 1 || width < 1) {
@@ -56,6 +59,10 @@ public record Poss(int horizon, int width, boolean leaves) implements Solver {
 
         @Override
         public Decision decide(HandoverBelief belief, Deadline deadline, RandomGenerator random) {
+            if (evidence.size() > MOST_SCENES) {
+                evidence.clear();
+                idle.clear();
+            }
             var searches = idle.computeIfAbsent(belief.scene(), s -> new ConcurrentLinkedDeque<>());
             Search search = searches.pollFirst();
             if (search == null) {
