@@ -6,6 +6,7 @@ import handover.io.DomainFiles;
 import handover.io.PointJournal;
 import handover.io.PolicyFile;
 import handover.io.PolicyRun;
+import handover.simulation.OrderedUnits;
 import handover.solver.BeliefMetric;
 import handover.solver.PolicyTable;
 import handover.solver.Solver;
@@ -121,9 +122,9 @@ final class Precompute implements Callable<Integer> {
     }
 
     private void solve(BeliefSampling sampling, PointJournal journal, PolicyTable.Builder builder) throws InterruptedException {
-        PointProgress progress = new PointProgress(console, builder.size(), beliefs);
+        Progress progress = new Progress(console, "beliefs", builder.size(), beliefs);
         try {
-            OrderedUnits.<List<StoredBelief>>until(journal.units(), threads, sampling::unit, unit -> {
+            OrderedUnits.<List<StoredBelief>>until(journal.units(), Integer.MAX_VALUE, threads, sampling::unit, unit -> {
                 journal.add(unit);
                 unit.forEach(builder::add);
                 progress.at(builder.size());

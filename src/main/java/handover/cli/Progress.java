@@ -7,8 +7,11 @@ final class Progress {
     private static final double LIVE_SECONDS = 0.2;
     private static final double FIRST_LINE_SECONDS = 1;
     private static final double LINE_SECONDS = 4;
+    private static final double PATIENT_SECONDS = 90;
+    private static final int BAR = 20;
 
     private final Console console;
+    private final String what;
     private final int total;
     private final int before;
     private final long start;
@@ -17,11 +20,13 @@ final class Progress {
     private int width;
 
     /**
+     * @param what is done, in the plural
      * @param done how much was done before the start
      * @param total how much there is to do
      */
-    Progress(Console console, int done, int total) {
+    Progress(Console console, String what, int done, int total) {
         this.console = console;
+        this.what = what;
         this.before = done;
         this.done = done;
         this.total = total;
@@ -30,12 +35,17 @@ final class Progress {
 
     /** One more is done. */
     void step() {
-        done++;
-        double now = (console.nanoClock().getAsLong() - start) / 1e9;
+        at(done + 1);
+    }
+
+    /** So many are done now. */
+    void at(int now) {
+        done = now;
+        double seconds = (console.nanoClock().getAsLong() - start) / 1e9;
         double pause = console.live() ? LIVE_SECONDS : shown == 0 ? FIRST_LINE_SECONDS : LINE_SECONDS;
-        if (now - shown >= pause) {
-            shown = now;
-            show(line(done, total, (done - before) / now));
+        if (seconds - shown >= pause) {
+            shown = seconds;
+            show(line(what, done, total, (done - before) / seconds));
         }
     }
 
@@ -48,10 +58,13 @@ final class Progress {
         }
     }
 
-    static String line(int done, int total, double perSecond) {
+    static String line(String what, int done, int total, double perSecond) {
+        int full = (int) ((long) BAR * done / total);
         double left = (total - done) / perSecond;
-        return String.format(Locale.ROOT, "%d of %d episodes, %.0f a second, about %s left", done, total, perSecond,
-                left < 90 ? Math.round(left) + " s" : Math.round(left / 60) + " min");
+        String time = !(left < Integer.MAX_VALUE) ? "unknown time" : left < PATIENT_SECONDS ? Math.round(left) + " s"
+                : Math.round(left / 60) + " min";
+        return String.format(Locale.ROOT, "[%s%s] %d of %d %s, %.0f a second, about %s left", "#".repeat(full),
+                ".".repeat(BAR - full), done, total, what, perSecond, time);
     }
 
     private void show(String line) {

@@ -82,7 +82,7 @@ final class Simulate implements Callable<Integer> {
         Run run = new Run(header);
         try (EpisodeLogWriter log = log(header, run)) {
             console.out().print(introduction(header));
-            Progress progress = new Progress(console, run.done(), run.total());
+            Progress progress = new Progress(console, "episodes", run.done(), run.total());
             try {
                 run.play(players, threads, console, log, progress);
             } finally {

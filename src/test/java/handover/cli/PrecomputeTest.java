@@ -133,8 +133,8 @@ class PrecomputeTest {
 
     @Test
     void progressSaysHowManyHowFastAndHowLong() {
-        assertEquals("[#####...............] 25 of 100 beliefs, 5 a second, about 15 s left", PointProgress.line(25, 100, 5));
-        assertEquals("[....................] 0 of 100 beliefs, 0 a second, about unknown time left", PointProgress.line(0, 100, 0));
+        assertEquals("[#####...............] 25 of 100 beliefs, 5 a second, about 15 s left", Progress.line("beliefs", 25, 100, 5));
+        assertEquals("[....................] 0 of 100 beliefs, 0 a second, about unknown time left", Progress.line("beliefs", 0, 100, 0));
     }
 
     private byte[] bytes(String name, String... more) throws IOException {

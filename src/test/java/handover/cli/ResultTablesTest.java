@@ -75,7 +75,7 @@ class ResultTablesTest {
         try {
             Locale.setDefault(Locale.GERMANY);
             oneRowASolver();
-            assertEquals("5 of 10 episodes, 2 a second, about 3 s left", Progress.line(5, 10, 2));
+            assertEquals("[##########..........] 5 of 10 episodes, 2 a second, about 3 s left", Progress.line("episodes", 5, 10, 2));
         } finally {
             Locale.setDefault(before);
         }
