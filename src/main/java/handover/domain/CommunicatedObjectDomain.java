@@ -33,8 +33,8 @@ public class CommunicatedObjectDomain extends HandoverDomain {
     }
 
     @Override
-    public double matchBound() {
-        return weight * score.max();
+    public double matchBound(double[] b, int n) {
+        return weight * score.max(b, n);
     }
 
     @Override

@@ -113,9 +113,14 @@ public class HandoverDomain implements DomainGenerator {
         return matchWeight * matchScore.of(b, h, n);
     }
 
-    /** An upper bound of {@link #matchReward}, by which searches prune; a variant that changes one changes both. */
-    public double matchBound() {
-        return spec.rewards().matchWeight() * spec.rewards().matchScore().max();
+    /**
+     * An upper bound of {@link #matchReward} at {@code b} over all that the human may believe, by which searches prune; a
+     * variant that changes one changes both. It must be largest where b is sure of something, or the same for all b.
+     *
+     * @param b belief about the wanted object; not modified
+     */
+    public double matchBound(double[] b, int n) {
+        return matchWeight * matchScore.max(b, n);
     }
 
     /** Whether {@link #matchReward} is a reward of the belief that no reward of states has as its expectation. */

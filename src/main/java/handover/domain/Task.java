@@ -1,5 +1,6 @@
 package handover.domain;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
 
@@ -32,6 +33,7 @@ public final class Task {
     private final ActEffect[] effects;
     private final Task[] answered = new Task[Answer.values().length];
     private final Task[] completed = new Task[2];
+    private int[] byReward;
 
     Task(Scene scene, Key key) {
         this.scene = scene;
@@ -105,6 +107,17 @@ public final class Task {
                     + (key.done ? "the episode is over" : "on the table are " + scene));
         }
         return effect(model.index());
+    }
+
+    /** The indices of the acts that are no picks, from the highest reward to the lowest; not to be modified. */
+    public int[] byReward() {
+        int[] order = byReward;
+        if (order == null) {
+            order = legalActs().stream().filter(m -> !m.isPick()).map(ActModel::index)
+                    .sorted(Comparator.comparingDouble(a -> -effect(a).reward())).mapToInt(a -> a).toArray();
+            byReward = order;
+        }
+        return order;
     }
 
     /** This task after an answer. */

@@ -15,6 +15,12 @@ public enum MatchScore {
             }
             return s;
         }
+
+        /** At h = b. */
+        @Override
+        public double max(double[] b, int n) {
+            return of(b, b, n) + ROUNDING;
+        }
     },
     /** sum b log h_eps, h_eps = (1-1e-3) h + 1e-3/N; strictly proper, in [log(1e-3/N), 0]. */
     LOG(false) {
@@ -28,6 +34,16 @@ public enum MatchScore {
             }
             return s;
         }
+
+        /** Minus the entropy of b (Gibbs' inequality), because h_eps is a distribution too. */
+        @Override
+        public double max(double[] b, int n) {
+            double s = ROUNDING;
+            for (int i = 0; i < n; i++) {
+                s += b[i] > 0 ? b[i] * Math.log(b[i]) : 0;
+            }
+            return s;
+        }
     },
     /** b . h; improper: its best h is a vertex; in [0, 1]. */
     LINEAR(false) {
@@ -38,6 +54,12 @@ public enum MatchScore {
                 s += b[i] * h[i];
             }
             return s;
+        }
+
+        /** At the h that is sure of the likeliest. */
+        @Override
+        public double max(double[] b, int n) {
+            return b[Simplex.argmax(b, n)];
         }
     },
     /** -KL(b || h_eps); belief-dependent. */
@@ -94,6 +116,8 @@ public enum MatchScore {
         }
     };
 
+    /** Keeps bounds above values that were added up in another order. */
+    private static final double ROUNDING = 1e-12;
     /** Weight of the uniform distribution in h_eps, which keeps the logarithmic scores finite. */
     private static final double SMOOTHING = 1e-3;
 
@@ -111,9 +135,9 @@ public enum MatchScore {
      */
     public abstract double of(double[] b, double[] h, int n);
 
-    /** The largest value that S can take. */
-    public double max() {
-        return this == LINEAR ? 1 : 0;
+    /** The largest S(b, h) over all h, or a little more; {@code b} is not modified, nothing is allocated. */
+    public double max(double[] b, int n) {
+        return 0;
     }
 
     /** Whether S is not linear in b, so that it is a reward of the belief but not of any state (a rho-POMDP). */

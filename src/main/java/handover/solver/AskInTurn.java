@@ -9,6 +9,8 @@ import handover.domain.PickType;
 import handover.domain.Scene;
 import handover.domain.Task;
 import handover.math.Simplex;
+import java.util.HashMap;
+import java.util.Map;
 
 /**
  * The value of a policy that asks about one object after the other, the likeliest first, hands over the first that gets a
@@ -31,12 +33,21 @@ final class AskInTurn {
     private final double[] left;
     private final double[] posterior;
     private final double tau;
+    /** The probability that a wish becomes a certain other one. */
+    private final double drift;
     /** What reaching for each object comes to. */
     private final double[] pickPrice;
     private final double lastDiscount;
     /** Nothing is open yet. */
-    private final Task start;
+    private final Turn start;
+    private final Map<Task, Turn> turns = new HashMap<>();
     private final double mostRepeated;
+
+    /** Where the path may stand, with the questions from there, filled on demand. */
+    private record Turn(Task task, Question[] questions) {}
+
+    /** @param yes P(yes | i) */
+    private record Question(double reward, double[] yes, Turn next) {}
 
     AskInTurn(Scene scene) {
         domain = scene.domain();
@@ -48,28 +59,43 @@ final class AskInTurn {
             human[i] = asks[i] == null ? null : domain.understood(asks[i], Simplex.uniform(n));
         }
         tau = domain.spec().tau();
+        drift = n == 1 ? 0 : (1 - tau) / (n - 1);
         left = new double[n];
         posterior = new double[n];
         double gamma = domain.discount();
-        start = domain.task(scene);
+        start = turn(domain.task(scene));
         pickPrice = new double[n];
         double repeated = 0;
         for (int i = 0; i < n; i++) {
-            double price = start.effect(scene.model(Act.of(PickType.VERB, scene.objects().get(i).name())).index()).reward();
-            pickPrice[i] = price * PickPrice.prices(domain.pickRule(), gamma);
+            int pick = scene.model(Act.of(PickType.VERB, scene.objects().get(i).name())).index();
+            pickPrice[i] = start.task.effect(pick).reward() * PickPrice.prices(domain.pickRule(), gamma);
             if (asks[0] != null) {
-                ActEffect once = start.effect(asks[i].index());
-                repeated = Math.max(repeated, once.during().effect(asks[i].index()).reward() - once.reward());
+                Question once = question(start, i);
+                repeated = Math.max(repeated, question(once.next, i).reward - once.reward);
             }
         }
         mostRepeated = repeated;
         lastDiscount = PickPrice.outcome(domain.pickRule(), gamma);
     }
 
+    private Turn turn(Task task) {
+        return turns.computeIfAbsent(task, t -> new Turn(t, new Question[n]));
+    }
+
+    private Question question(Turn turn, int x) {
+        Question question = turn.questions[x];
+        if (question == null) {
+            ActEffect effect = turn.task.effect(asks[x].index());
+            question = new Question(effect.reward(), effect.answers().yes(), turn(effect.during()));
+            turn.questions[x] = question;
+        }
+        return question;
+    }
+
     /** What it costs, or pays, that the first question is asked in {@code task} and not with nothing open. */
     double repeating(Task task, int likeliest) {
         return asks[0] == null ? 0
-                : task.effect(asks[likeliest].index()).reward() - start.effect(asks[likeliest].index()).reward();
+                : task.effect(asks[likeliest].index()).reward() - question(start, likeliest).reward;
     }
 
     /** Upper bound of {@link #repeating}. */
@@ -81,45 +107,54 @@ final class AskInTurn {
      * The value at a belief with nothing open; minus infinity if there are no questions to ask.
      *
      * @param b not modified
+     * @param likeliest in b
      * @param otherwise what it is worth to have handed over the wrong object or to have no answer to anything
      */
-    double value(double[] b, double otherwise) {
+    double value(double[] b, int likeliest, double otherwise) {
         if (asks[0] == null) {
             return Double.NEGATIVE_INFINITY;
         }
         System.arraycopy(b, 0, left, 0, n);
-        double afterWrong = domain.pickReward(false) + domain.discount() * otherwise;
-        Task task = start;
+        double afterRight = lastDiscount * domain.pickReward(true);
+        double afterWrong = lastDiscount * (domain.pickReward(false) + domain.discount() * otherwise);
+        Turn turn = start;
         double value = 0;
         double discount = 1;
         double mass = 1;
-        for (int k = 0; k < Math.min(2 * n, MOST_QUESTIONS) && mass > NEGLIGIBLE; k++) {
-            int x = Simplex.argmax(left, n);
-            ActEffect effect = task.effect(asks[x].index());
-            double[] yes = effect.answers().yes();
+        int x = likeliest;
+        int most = Math.min(2 * n, MOST_QUESTIONS);
+        for (int k = 0; k < most && mass > NEGLIGIBLE; k++) {
+            Question question = question(turn, x);
             move(mass);
+            value += discount * mass * (question.reward + domain.matchReward(posterior, human[x], n));
+            double[] yes = question.yes;
             double right = left[x] * yes[x];
             double yesMass = 0;
+            int next = 0;
+            double largest = -1;
             for (int i = 0; i < n; i++) {
                 double y = left[i] * yes[i];
+                double l = left[i] - y;
                 yesMass += y;
-                left[i] -= y;
+                left[i] = l;
+                next = l > largest ? i : next;
+                largest = l > largest ? l : largest;
             }
-            value += discount * mass * (effect.reward() + domain.matchReward(posterior, human[x], n));
-            right = tau * right + (n == 1 ? 0 : (1 - tau) / (n - 1)) * (yesMass - right);
+            right = tau * right + drift * (yesMass - right);
             discount *= domain.discount();
-            value += discount * (yesMass * pickPrice[x]
-                    + lastDiscount * (right * domain.pickReward(true) + (yesMass - right) * afterWrong));
+            value += discount * (yesMass * pickPrice[x] + right * afterRight + (yesMass - right) * afterWrong);
             mass -= yesMass;
-            task = effect.during();
+            turn = question.next;
+            x = next;
         }
         return value + discount * mass * otherwise;
     }
 
     /** Fills in b on the path, a step later; the wish may move. */
     private void move(double mass) {
+        double scale = 1 / mass;
         for (int i = 0; i < n; i++) {
-            posterior[i] = left[i] / mass;
+            posterior[i] = left[i] * scale;
         }
         if (tau < 1) {
             Simplex.propagate(tau, posterior, posterior, n);

@@ -49,8 +49,31 @@ public interface BeliefMdp<N> {
     double leaf(N predicted);
 
     /**
-     * An upper bound on {@code start} plus the discounted {@link #leaf} after it, by which the last level is pruned;
-     * infinity if none is known.
+     * An upper bound on what an act can be worth, however far the search looks and whatever it samples, by which acts are left
+     * out; infinity if none is known.
      */
-    double bound(N node, int act);
+    default double bound(N node, int act) {
+        return Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * The value of the best act if nothing is looked at after it. A problem that knows bounds may leave out acts that cannot
+     * be the best; the value is the same to the last bit.
+     *
+     * @param leaves whether what comes after the act is worth its {@link #leaf}, or 0
+     * @param next for its own use; modified
+     */
+    default double last(N node, boolean leaves, N next) {
+        double best = Double.NEGATIVE_INFINITY;
+        int acts = acts(node);
+        for (int a = 0; a < acts; a++) {
+            best = Math.max(best, ending(start(node, a, next), leaves, next));
+        }
+        return best;
+    }
+
+    /** The value of an act after which nothing is looked at. */
+    default double ending(double reward, boolean leaves, N predicted) {
+        return reward + (leaves ? discount() * leaf(predicted) : 0);
+    }
 }

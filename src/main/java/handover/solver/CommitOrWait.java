@@ -9,6 +9,7 @@ import handover.domain.Task;
 import handover.domain.WrongPick;
 import handover.math.Simplex;
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * What leaves are worth: the best of three simple policies that can be executed. Hand over the likeliest object now, and go on
@@ -20,22 +21,35 @@ import java.util.Arrays;
 final class CommitOrWait {
     /** After so many wrong objects in a row the rest of the value is that of waiting. */
     private static final int MOST_PICKS = 3;
+    /** Keeps bounds above values that were added up in another order. */
+    private static final double ROUNDING = 1e-9;
 
     private final HandoverSearch search;
     private final HandoverDomain domain;
     private final AskInTurn asking;
+    private final Evidence evidence;
     private final int n;
     private final double[] uniform;
+    /** By object, the act that reaches for it. */
     private final int[] picks;
+    private final int[] allPicks;
     private final double waitReward;
+    /** Of knowing nothing and waiting. */
+    private final double unanswered;
     private final double afterHandover;
     private final double[][] rest;
     private final double[] human;
     private final double[] otherHuman;
     private final double[] wish;
-    /** At most paid for one increment of a pick, and for all of them. */
-    private final double pricePerIncrement;
+    /** At most paid for all increments of a pick, without their match reward. */
     private final double pricePerPick;
+    /** Expected discounted number of increments of a pick. */
+    private final double increments;
+    /** The best match reward at any belief. */
+    private final double matchBound;
+    /** At most earned by any acts from some belief on, and after an object was handed over. */
+    private final double most;
+    private final double mostAfterHandover;
     private final double boundOfRightPick;
     private final double boundOfWrongPick;
     /** The discount of a pick's outcome. */
@@ -44,15 +58,18 @@ final class CommitOrWait {
     private final double tries;
     private final double onAdvance;
 
-    CommitOrWait(HandoverSearch search, Scene scene) {
+    CommitOrWait(HandoverSearch search, Scene scene, Evidence evidence) {
+        this.evidence = evidence;
         this.search = search;
         this.domain = scene.domain();
         this.n = scene.size();
         this.uniform = Simplex.uniform(n);
         this.picks = new int[n];
         scene.acts().stream().filter(ActModel::isPick).forEach(m -> picks[m.target()] = m.index());
+        this.allPicks = scene.acts().stream().filter(ActModel::isPick).mapToInt(ActModel::index).toArray();
         Task start = domain.task(scene);
         this.waitReward = start.effect(Act.WAIT).reward();
+        this.unanswered = waiting(domain.matchReward(uniform, uniform, n));
         double[] fresh = Simplex.uniform(n - 1);
         this.afterHandover = n == 1 ? 0 : waiting(domain.matchReward(fresh, fresh, n - 1));
         this.rest = new double[MOST_PICKS][n];
@@ -61,17 +78,28 @@ final class CommitOrWait {
         this.wish = new double[n];
         this.asking = new AskInTurn(scene);
         double gamma = domain.discount();
-        this.pricePerIncrement = Arrays.stream(picks).mapToDouble(k -> start.effect(k).reward()).max().orElseThrow()
-                + domain.matchBound();
-        this.pricePerPick = pricePerIncrement * PickPrice.prices(domain.pickRule(), gamma);
+        double price = Arrays.stream(picks).mapToDouble(k -> start.effect(k).reward()).max().orElseThrow();
+        this.increments = PickPrice.prices(domain.pickRule(), gamma);
+        this.pricePerPick = price * increments;
+        this.matchBound = IntStream.range(0, n).mapToDouble(i -> domain.matchBound(Simplex.vertex(n, i), n)).max().orElseThrow();
         this.lastDiscount = PickPrice.outcome(domain.pickRule(), gamma);
-        double best = Math.max(Math.max(0, pricePerIncrement) + Math.max(0, domain.pickReward(true)) + Math.max(0, afterHandover),
-                waiting(domain.matchBound()));
-        this.boundOfRightPick = domain.matchBound() + domain.pickReward(true) + gamma * Math.max(0, afterHandover);
-        this.boundOfWrongPick = domain.matchBound() + domain.pickReward(false) + gamma * Math.max(0, best);
+        double best = Math.max(Math.max(0, price + matchBound) + Math.max(0, domain.pickReward(true)) + Math.max(0, afterHandover),
+                waiting(matchBound));
+        double steps = Math.max(0, matchBound + scene.acts().stream().mapToDouble(m -> start.effect(m.index()).reward()).max()
+                .orElseThrow()) / (1 - gamma);
+        double handover = Math.max(0, domain.pickReward(true));
+        this.most = domain.pickReward(false) > 0 ? Double.POSITIVE_INFINITY : steps + domain.spec().handovers() * handover;
+        this.mostAfterHandover = domain.spec().handovers() == 1 ? 0 : most - handover;
+        this.boundOfRightPick = domain.pickReward(true) + gamma * Math.max(0, afterHandover);
+        this.boundOfWrongPick = domain.pickReward(false) + gamma * Math.max(0, best);
         this.perIncrement = domain.pickRule().perIncrement(gamma);
         this.tries = domain.pickRule().tries(gamma);
         this.onAdvance = domain.pickRule().onAdvance(gamma);
+    }
+
+    /** Gestures at this table. */
+    Evidence evidence() {
+        return evidence;
     }
 
     /** What the human expects when a wish is new. */
@@ -82,13 +110,18 @@ final class CommitOrWait {
     /** The value of a belief at which no pick has just completed. */
     double value(HandoverSearch.Node node) {
         SearchBelief b = node.b;
-        double best = Math.max(waiting(Math.min(node.match, matchUniform(b))),
-                asking(b) + asking.repeating(node.task, b.likeliest()));
+        double best = asking(b) + asking.repeating(node.task, b.likeliest());
+        if (waiting(node.match) > best) {
+            best = Math.max(best, waiting(Math.min(node.match, matchUniform(b))));
+        }
         if (domain.spec().tau() < 1 || commitBound(node) > best) {
             best = Math.max(best, committing(node, b.likeliest()));
         }
         if (node.task.target() != null) {
-            best = Math.max(best, committing(node, node.task.scene().indexOf(node.task.target())));
+            int x = node.task.scene().indexOf(node.task.target());
+            if (domain.spec().tau() < 1 || boundOfReaching(b, x) > best) {
+                best = Math.max(best, committing(node, x));
+            }
         }
         return best;
     }
@@ -111,7 +144,7 @@ final class CommitOrWait {
     /** The value of asking in turn when nothing is open. */
     private double asking(SearchBelief b) {
         if (Double.isNaN(b.asking)) {
-            b.asking = asking.value(b.p, waiting(domain.matchReward(uniform, uniform, n)));
+            b.asking = asking.value(b.p, b.likeliest(), unanswered);
         }
         return b.asking;
     }
@@ -184,7 +217,7 @@ final class CommitOrWait {
         System.arraycopy(b, 0, p, 0, n);
         p[x] = 0;
         if (!(Simplex.normalise(p, n) > 0)) {
-            return waiting(domain.matchReward(uniform, uniform, n));
+            return unanswered;
         }
         double wait = waiting(domain.matchReward(p, uniform, n));
         if (picked == MOST_PICKS - 1 || task.done() || domain.spec().wrongPick() == WrongPick.REMOVED) {
@@ -197,19 +230,86 @@ final class CommitOrWait {
 
     // ---- upper bounds, by which the search leaves out what cannot be the best -----------------------------------
 
-    /** On the match reward of an act that is no pick, and the discounted {@link #value} after it. */
-    double boundWithoutPick(HandoverSearch.Node node) {
+    /** On the {@link #value} after an act that is no pick. */
+    private double boundWithoutPick(HandoverSearch.Node node) {
         SearchBelief b = node.b;
         if (Double.isNaN(b.bound)) {
-            double later = Math.max(asking(b) + asking.mostRepeated(), Math.max(waiting(domain.matchBound()), commitBound(node)));
-            b.bound = domain.matchBound() + domain.discount() * later;
+            b.bound = Math.max(asking(b) + asking.mostRepeated(), Math.max(waiting(matchBound(b)), commitBound(node)));
         }
         return b.bound;
     }
 
-    /** On the match reward and outcome of a pick that completes, and the discounted {@link #afterPick}. */
-    double boundOfPick(double right) {
+    /** On a pick that completes, however far the search looks after it. */
+    double boundOfPick(HandoverSearch.Node node, ActEffect pick) {
+        double right = node.b.p[pick.model().target()];
+        return pick.reward() + matchBound(node.b) + search.pickReward(right) + domain.discount() * (right * mostAfterHandover
+                + (1 - right) * most);
+    }
+
+    /** On a pick with leaves after it, whether it completes or not. */
+    private double boundOfLastPick(HandoverSearch.Node node, int pick) {
+        ActEffect effect = node.task.effect(pick);
+        double outcome = boundOfOutcome(node.b.p[effect.model().target()]);
+        double now = effect.reward() + matchBound(node.b);
+        if (effect.completes() && effect.stalled() == null) {
+            return now + outcome;
+        }
+        double later = domain.discount() * Math.max(boundOfReaching(node.b, effect.model().target()), boundWithoutPick(node));
+        return now + (effect.completes() ? Math.max(outcome, later) : later);
+    }
+
+    /** On reaching for an object until the pick completes, whatever was done of it. */
+    private double boundOfReaching(SearchBelief b, int x) {
+        double outcome = boundOfOutcome(b.p[x]);
+        return Math.max(0, pricePerPick + increments * matchBound(b)) + Math.max(outcome, lastDiscount * outcome);
+    }
+
+    /** The value of the best act with leaves after it ({@link BeliefMdp#last}). */
+    double last(HandoverSearch.Node node, HandoverSearch.Node next) {
+        SearchBelief b = node.b;
+        double later = domain.discount() * boundWithoutPick(node);
+        int likeliest = picks[b.likeliest()];
+        double best = boundOfLastPick(node, likeliest) > matchBound(b) + later
+                ? value(node, likeliest, next) : Double.NEGATIVE_INFINITY;
+        for (int a : node.task.byReward()) {
+            ActEffect effect = node.task.effect(a);
+            if (effect.reward() + matchBound(b) + later <= best) {
+                break;
+            }
+            double match = domain.matchReward(b.p, node.after(effect.model()), n);
+            if (effect.reward() + match + later > best) {
+                best = Math.max(best, value(node, a, next));
+            }
+        }
+        for (int a : allPicks) {
+            double bound = boundOfLastPick(node, a);
+            if (bound > best) {
+                best = Math.max(best, valueOfPick(node, a, bound, best, next));
+            }
+        }
+        return best;
+    }
+
+    /** The value of an act, or less than {@code best} if its match reward shows that it is not better. */
+    private double valueOfPick(HandoverSearch.Node node, int act, double bound, double best, HandoverSearch.Node next) {
+        double match = domain.matchReward(node.b.p, node.after(node.task.effect(act).model()), n);
+        boolean hopeless = bound - matchBound(node.b) + match + ROUNDING < best;
+        return hopeless ? Double.NEGATIVE_INFINITY : value(node, act, next);
+    }
+
+    private double value(HandoverSearch.Node node, int act, HandoverSearch.Node next) {
+        return search.ending(search.start(node, act, next), true, next);
+    }
+
+    private double boundOfOutcome(double right) {
         return right * boundOfRightPick + (1 - right) * boundOfWrongPick;
+    }
+
+    private double matchBound(SearchBelief b) {
+        if (Double.isNaN(b.matchBound)) {
+            b.matchBound = domain.matchBound(b.p, n);
+        }
+        return b.matchBound;
     }
 
     /** On handing over the likeliest object now; as tight as it needs to be to tell whether that can beat asking. */
@@ -218,18 +318,15 @@ final class CommitOrWait {
         if (Double.isNaN(b.commitBound)) {
             int x = b.likeliest();
             double right = b.p[x];
-            b.commitBound = commitBound(boundOfPick(right) - domain.matchBound());
+            double price = pricePerPick + increments * matchBound(b);
+            b.commitBound = price + lastDiscount * boundOfOutcome(right);
             if (b.commitBound > asking(b)) {
                 Task picking = node.task.effect(picks[x]).during();
                 double afterRejection = right < 1 ? afterRejection(b, x, picking) : 0;
-                b.commitBound = commitBound(search.pickReward(right)
+                b.commitBound = price + lastDiscount * (search.pickReward(right)
                         + domain.discount() * later(right, picking, afterRejection));
             }
         }
         return b.commitBound;
-    }
-
-    private double commitBound(double outcome) {
-        return pricePerPick + lastDiscount * outcome;
     }
 }

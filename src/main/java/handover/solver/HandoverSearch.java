@@ -224,7 +224,7 @@ public final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         next.task = answer(outcome, i, random.nextDouble(), b);
         double which = random.nextDouble();
         if (random.nextDouble() < outcome.effect.model().type().parameters().gestureRate()) {
-            multiply(b, evidence(outcome.task.scene()).gesture(i, which), n);
+            multiply(b, outcome.policy.evidence().gesture(i, which), n);
         }
         speech(outcome, i, random, b);
         Simplex.normalise(b, n);
@@ -280,21 +280,17 @@ public final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
     @Override
     public double bound(Node node, int act) {
         ActEffect effect = node.task.effect(act);
-        if (moves) {
-            return Double.POSITIVE_INFINITY;
-        }
-        if (!effect.model().isPick()) {
-            return effect.reward() + node.policy.boundWithoutPick(node);
-        }
-        return effect.completes() && effect.stalled() == null
-                ? effect.reward() + node.policy.boundOfPick(node.b.p[effect.model().target()]) : Double.POSITIVE_INFINITY;
+        return !moves && effect.completes() && effect.stalled() == null
+                ? node.policy.boundOfPick(node, effect) : Double.POSITIVE_INFINITY;
     }
 
-    private Evidence evidence(Scene scene) {
-        return evidence.computeIfAbsent(scene, Evidence::new);
+    /** Acts are tried in the order in which they may be the best, until a bound shows that no other is. */
+    @Override
+    public double last(Node node, boolean leaves, Node next) {
+        return moves || !leaves ? BeliefMdp.super.last(node, leaves, next) : node.policy.last(node, next);
     }
 
     private CommitOrWait commitOrWait(Scene scene) {
-        return commitOrWait.computeIfAbsent(scene, s -> new CommitOrWait(this, s));
+        return commitOrWait.computeIfAbsent(scene, s -> new CommitOrWait(this, s, evidence.computeIfAbsent(s, Evidence::new)));
     }
 }

@@ -12,6 +12,8 @@ final class SearchBelief {
     double afterRejection;
     /** The match reward if the human expects nothing in particular; NaN until asked for. */
     double matchUniform;
+    /** The best match reward whatever the human expects; NaN until asked for. */
+    double matchBound;
     /** The value of {@link AskInTurn}; NaN until asked for. */
     double asking;
     /** Upper bound on what may follow an act that is no pick; NaN until asked for. */
@@ -30,6 +32,7 @@ final class SearchBelief {
         likeliest = -1;
         rejected = -1;
         matchUniform = Double.NaN;
+        matchBound = Double.NaN;
         asking = Double.NaN;
         bound = Double.NaN;
         commitBound = Double.NaN;

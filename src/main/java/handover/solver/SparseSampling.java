@@ -78,9 +78,12 @@ public final class SparseSampling<N> {
         if (acts == 0) {
             return 0;
         }
+        if (horizon == 1) {
+            return mdp.last(node, leaves, levels.get(1).predicted);
+        }
         double best = Double.NEGATIVE_INFINITY;
         for (int a = 0; a < acts && !stopped; a++) {
-            if (horizon > 1 || mdp.bound(node, a) > best) {
+            if (mdp.bound(node, a) > best) {
                 best = Math.max(best, actValue(node, a, horizon, seed));
             }
         }
@@ -91,7 +94,7 @@ public final class SparseSampling<N> {
         Level<N> level = levels.get(horizon);
         double reward = mdp.start(node, act, level.predicted);
         if (horizon == 1) {
-            return reward + (leaves ? mdp.discount() * mdp.leaf(level.predicted) : 0);
+            return mdp.ending(reward, leaves, level.predicted);
         }
         double future = 0;
         int outcomes = mdp.outcomes(level.predicted);

@@ -175,9 +175,4 @@ public final class TabularSearch implements BeliefMdp<TabularSearch.Node> {
     public double leaf(Node predicted) {
         return 0;
     }
-
-    @Override
-    public double bound(Node node, int act) {
-        return Double.POSITIVE_INFINITY;
-    }
 }

@@ -90,8 +90,8 @@ final class ModelRules {
             for (int i = 0; i < n; i++) {
                 for (double[] b : new double[][] {Simplex.vertex(n, i), Simplex.uniform(n), h}) {
                     double match = walk.domain.matchReward(b, h, n);
-                    assertTrue(Double.isFinite(match) && match <= walk.domain.matchBound() + 1e-9,
-                            "match reward " + match + " above its bound " + walk.domain.matchBound() + " " + v);
+                    assertTrue(Double.isFinite(match) && match <= walk.domain.matchBound(b, n) + 1e-9,
+                            "match reward " + match + " above its bound " + walk.domain.matchBound(b, n) + " " + v);
                 }
             }
         }

@@ -49,9 +49,4 @@ public record Unbounded<N>(BeliefMdp<N> mdp) implements BeliefMdp<N> {
     public double leaf(N predicted) {
         return mdp.leaf(predicted);
     }
-
-    @Override
-    public double bound(N node, int act) {
-        return Double.POSITIVE_INFINITY;
-    }
 }

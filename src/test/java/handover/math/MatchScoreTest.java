@@ -32,8 +32,8 @@ class MatchScoreTest {
         double[] b = simplex(n, random);
         double[] h = simplex(n, random);
         double s = score.of(b, h, n);
-        assertTrue(s >= lowest(score, n) - ROUNDING && s <= score.max() + ROUNDING,
-                () -> score + " = " + s + ", expected " + lowest(score, n) + ".." + score.max());
+        assertTrue(s >= lowest(score, n) - ROUNDING && s <= score.max(b, n) + ROUNDING,
+                () -> score + " = " + s + ", expected " + lowest(score, n) + ".." + score.max(b, n));
     }
 
     @Property(tries = 500, seed = "12")
@@ -122,7 +122,7 @@ class MatchScoreTest {
         for (double[] b : edges) {
             for (double[] h : edges) {
                 double s = score.of(b, h, 2);
-                assertTrue(s >= lowest(score, 2) - ROUNDING && s <= score.max() + ROUNDING,
+                assertTrue(s >= lowest(score, 2) - ROUNDING && s <= score.max(b, 2) + ROUNDING,
                         () -> score + " = " + s + " for b = " + b[0] + ", " + b[1] + " and h = " + h[0] + ", " + h[1]);
             }
         }
