@@ -4,45 +4,52 @@ import handover.domain.Act;
 import handover.domain.AskType;
 import handover.domain.Gesture;
 import handover.domain.PickSignal;
+import handover.domain.Scene;
 import handover.domain.Speech;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.function.UnaryOperator;
 
 /**
  * Follows a real robot: the belief moves with what it did and with what is sensed, event by event (PROTOCOL.md,
- * {@code acted}). Immutable, thread safe; every method returns the next tracker.
+ * {@code acted}). What may have to be undone is followed beside it, so that the size does not depend on how much was sensed.
+ * Immutable, thread safe; every method returns the next tracker.
  *
  * @param now the belief
- * @param before the belief when the act under way started; the same as {@code now} if none is
- * @param evidence what was sensed since then
+ * @param undone the belief if the question under way is not finished, as if it had never started; null if no question is
+ * @param stalled the belief if the increment under way does not advance; null if it surely does
  * @param act the act under way, null if none
  */
-public record BeliefTracker(HandoverBelief now, HandoverBelief before, List<UnaryOperator<HandoverBelief>> evidence,
-        Act act) {
+public record BeliefTracker(HandoverBelief now, HandoverBelief undone, HandoverBelief stalled, Act act) {
 
     /** A tracker before the first act. */
     public static BeliefTracker of(HandoverBelief belief) {
-        return new BeliefTracker(belief, belief, List.of(), null);
+        return new BeliefTracker(belief, null, null, null);
     }
 
     public BeliefTracker heard(Speech speech) {
-        return sensed(b -> b.heard(speech));
+        return each(b -> b.heard(speech));
     }
 
     public BeliefTracker saw(Gesture gesture) {
-        return sensed(b -> b.saw(gesture));
+        return each(b -> b.saw(gesture));
     }
 
-    private BeliefTracker sensed(UnaryOperator<HandoverBelief> event) {
-        List<UnaryOperator<HandoverBelief>> all = new ArrayList<>(evidence);
-        all.add(event);
-        return new BeliefTracker(event.apply(now), before, List.copyOf(all), act);
+    /** The table changed; an act under way about something that is gone is given up. */
+    public BeliefTracker on(Scene scene) {
+        BeliefTracker moved = each(b -> b.on(scene));
+        return act == null || scene.model(act) != null ? moved : of(moved.now);
+    }
+
+    private BeliefTracker each(UnaryOperator<HandoverBelief> event) {
+        return new BeliefTracker(event.apply(now), undone == null ? null : event.apply(undone),
+                stalled == null ? null : event.apply(stalled), act);
     }
 
     /** The robot starts an act. Throws {@link IllegalArgumentException} if it is not legal. */
     public BeliefTracker started(Act next) {
-        return new BeliefTracker(now.after(next), now, List.of(), next);
+        HandoverBelief after = now.after(next);
+        HandoverBelief other = after.stalled();
+        return new BeliefTracker(after, next.verb().equals(AskType.VERB) ? now : null,
+                other.task().equals(after.task()) ? null : other, next);
     }
 
     /**
@@ -56,28 +63,13 @@ public record BeliefTracker(HandoverBelief now, HandoverBelief before, List<Unar
     public BeliefTracker completed(Act done, PickSignal signal) {
         BeliefTracker t = done.equals(act) ? this : started(done);
         boolean decided = signal == PickSignal.ACCEPTED || signal == PickSignal.REJECTED;
-        HandoverBelief moved = signal == PickSignal.NONE ? t.stalled() : t.now;
+        HandoverBelief moved = signal == PickSignal.NONE && t.stalled != null ? t.stalled : t.now;
         if (moved.pickPending() && !decided) {
             throw new IllegalArgumentException("expected accepted or rejected, because this completes the pick of "
                     + t.now.task().target());
         }
         boolean picks = decided && moved.task().target() != null;
-        HandoverBelief belief = picks ? moved.picked(signal == PickSignal.ACCEPTED) : moved;
-        return new BeliefTracker(belief, belief, List.of(), null);
-    }
-
-    /** What was said while the increment was tried, weighed for one that did not advance. */
-    private HandoverBelief stalled() {
-        HandoverBelief other = before.after(act).stalled();
-        return other.task().equals(now.task()) ? now : replay(other);
-    }
-
-    private HandoverBelief replay(HandoverBelief from) {
-        HandoverBelief belief = from;
-        for (UnaryOperator<HandoverBelief> event : evidence) {
-            belief = event.apply(belief);
-        }
-        return belief;
+        return of(picks ? moved.picked(signal == PickSignal.ACCEPTED) : moved);
     }
 
     /**
@@ -89,10 +81,6 @@ public record BeliefTracker(HandoverBelief now, HandoverBelief before, List<Unar
         if (!given.equals(act)) {
             return this;
         }
-        HandoverBelief belief = now.cancelled();
-        if (act.verb().equals(AskType.VERB)) {
-            belief = replay(before);
-        }
-        return new BeliefTracker(belief, belief, List.of(), null);
+        return of(undone != null ? undone : now.cancelled());
     }
 }

@@ -24,14 +24,15 @@ import java.util.Locale;
 
 /**
  * What the robot knows and believes: b over the wanted object, h, the task, and what was sensed so far in the step that is
- * under way. Exact Bayes filter of MODEL 4.4; every method that moves it returns a new belief. Immutable, thread safe;
- * arrays must not be modified.
+ * under way. Exact Bayes filter of MODEL 4.4; every method that moves it returns a new belief. Where the human may misperceive
+ * acts (MODEL 8) it is a belief over the wanted object and the human's {@link Mind} together, exact up to
+ * {@code perception.minds} of them. Immutable, thread safe; arrays must not be modified.
  */
 public final class HandoverBelief implements EnumerableBeliefState, HashableState {
     private static final List<Object> KEYS = List.of("belief", "humanBelief", "task");
 
     private final Task task;
-    private final double[] log;
+    private final List<Mind> minds;
     private final double[] probabilities;
     private final double[] human;
     /** The act under way; null on an empty table. */
@@ -47,11 +48,11 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
         }
     }
 
-    private HandoverBelief(Task task, double[] log, double[] human, ActEffect step, Sensed sensed) {
+    private HandoverBelief(Task task, List<Mind> minds, ActEffect step, Sensed sensed) {
         this.task = task;
-        this.log = log;
-        this.probabilities = LogWeights.exp(log);
-        this.human = human;
+        this.minds = minds;
+        this.probabilities = LogWeights.exp(Minds.marginal(minds));
+        this.human = Minds.mean(minds);
         this.step = step;
         this.sensed = sensed;
     }
@@ -69,7 +70,7 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
      */
     public static HandoverBelief of(Task task, double[] b, double[] h) {
         ActEffect step = task.done() || task.scene().size() == 0 ? null : task.effect(Act.WAIT);
-        return new HandoverBelief(task, LogWeights.log(b), h.clone(), step, Sensed.NOTHING);
+        return new HandoverBelief(task, List.of(new Mind(task, step, h.clone(), LogWeights.log(b))), step, Sensed.NOTHING);
     }
 
     // ---- reading -------------------------------------------------------------------------------------------------
@@ -91,9 +92,34 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
         return probabilities;
     }
 
-    /** h, one entry per object of the scene. */
+    /** h, one entry per object of the scene; its expectation where it is uncertain. */
     public double[] human() {
         return human;
+    }
+
+    /** What the human may believe and think to be open; one mind where acts are perceived exactly. */
+    public List<Mind> minds() {
+        return minds;
+    }
+
+    /** At most {@code limit} minds that stand for all, with the same b and the same expectation of h. */
+    public List<Mind> minds(int limit) {
+        return Minds.merged(minds, limit);
+    }
+
+    /** The expected match reward of MODEL 6 for an act that has just started. */
+    public double matchReward() {
+        HandoverDomain domain = domain();
+        int n = human.length;
+        if (minds.size() == 1) {
+            return domain.matchReward(probabilities, human, n);
+        }
+        double sum = 0;
+        for (Mind m : minds) {
+            double[] b = domain.beliefDependentReward() ? probabilities : LogWeights.given(m.log());
+            sum += m.weight() * domain.matchReward(b, m.human(), n);
+        }
+        return sum;
     }
 
     /** Whether what was sensed last (or its absence) had likelihood 0 for every object and was left out (MODEL 4.3). */
@@ -114,15 +140,7 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
      */
     public HandoverBelief after(Act act) {
         ActEffect effect = task.effect(act);
-        HandoverBelief before = closed();
-        double tau = domain().spec().tau();
-        double[] moved = before.log;
-        if (tau != 1) {
-            double[] p = before.probabilities.clone();
-            Simplex.propagate(tau, p, p, p.length);
-            moved = LogWeights.log(p);
-        }
-        return new HandoverBelief(effect.during(), moved, domain().understood(effect.model(), human), effect, Sensed.NOTHING);
+        return new HandoverBelief(effect.during(), Minds.after(closed().minds, scene(), effect.model()), effect, Sensed.NOTHING);
     }
 
     /**
@@ -156,12 +174,15 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
         if (step == null || sensed.closed) {
             return sense(sensed.with(false, false, true));
         }
-        Weighing w = new Weighing(step, human, sensed.content, sensed.answer);
-        double[] likelihood = w.logLikelihood(speech);
+        Weighing w = weighing();
+        double[][] likelihood = w.logLikelihood(speech);
         Answer answer = sensed.answer ? Answer.NONE : w.answerable() ? speech.answer() : Answer.NONE;
-        Task next = answer == Answer.NONE ? task : task.answered(answer);
         Sensed after = sensed.with(speech.mayHaveContent(), speech.mayHaveAnswer() && w.answerable(), w.uninformative());
-        return correct(likelihood, next, after);
+        return correct(likelihood, answer, after);
+    }
+
+    private Weighing weighing() {
+        return new Weighing(step.during().scene(), step.model().type(), minds, sensed.content, sensed.answer);
     }
 
     /** Corrects with one gesture. Throws {@link IllegalArgumentException} if its shoulder is at an object. */
@@ -169,7 +190,9 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
         if (step == null || sensed.closed) {
             return sense(sensed.with(false, false, true));
         }
-        return correct(HumanModel.logGestureDensities(scene(), gesture), task, sensed.with(false, false, false));
+        double[][] likelihood = new double[minds.size()][];
+        Arrays.fill(likelihood, HumanModel.logGestureDensities(scene(), gesture));
+        return correct(likelihood, Answer.NONE, sensed.with(false, false, false));
     }
 
     /**
@@ -186,25 +209,29 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
         boolean possible = true;
         double[] after = LogWeights.log(Simplex.uniform(n));
         if (!accepted) {
-            after = log.clone();
+            after = Minds.marginal(minds).clone();
             after[x] = Double.NEGATIVE_INFINITY;
             possible = Simplex.normaliseLog(after);
-            after = possible ? after : LogWeights.log(LogWeights.excluding(x, log.length));
+            after = possible ? after : LogWeights.log(LogWeights.excluding(x, after.length));
             after = n < after.length ? LogWeights.dropped(after, x) : after;
         }
-        return new HandoverBelief(next, after, Simplex.uniform(n), n == 0 ? null : step.once(next),
+        ActEffect once = n == 0 ? null : step.once(next);
+        return new HandoverBelief(next, List.of(new Mind(next, once, Simplex.uniform(n), after)), once,
                 sensed.with(false, false, !possible));
     }
 
     /** The increment under way did not advance; does nothing if every increment surely does. */
     public HandoverBelief stalled() {
         ActEffect other = step == null ? null : step.stalled();
-        return other == null ? this : new HandoverBelief(other.during(), log, human, other, sensed);
+        return other == null ? this : new HandoverBelief(other.during(), minds.stream().map(m -> {
+            ActEffect seen = m.step().stalled();
+            return new Mind(seen.during(), seen, m.human(), m.log());
+        }).toList(), other, sensed);
     }
 
     /** Gives up the pick under way; what the human saw of it stays. */
     public HandoverBelief cancelled() {
-        return new HandoverBelief(task.cancelled(), log, human, step, sensed);
+        return new HandoverBelief(task.cancelled(), minds.stream().map(m -> m.seeing(m.task().cancelled())).toList(), step, sensed);
     }
 
     /** Corrects with what did not come in the step (MODEL 4.4), once. */
@@ -212,28 +239,40 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
         if (step == null || sensed.closed) {
             return this;
         }
-        Weighing w = new Weighing(step, human, sensed.content, sensed.answer);
         Sensed after = new Sensed(sensed.content, sensed.answer, true, false);
-        return correct(w.logLikelihoodOfSilence(), task, after);
+        HandoverBelief b = correct(weighing().logLikelihoodOfSilence(), Answer.NONE, after);
+        return minds.size() == 1 ? b
+                : new HandoverBelief(b.task, Minds.merged(b.minds, domain().spec().perception().minds()), step, b.sensed);
     }
 
     /** The same with certainty that the human wants object {@code i}. */
     public HandoverBelief revealed(int i) {
-        return new HandoverBelief(task, LogWeights.log(Simplex.vertex(log.length, i)), human, step, sensed);
+        return new HandoverBelief(task, Minds.revealed(minds, i), step, sensed);
     }
 
-    private HandoverBelief correct(double[] logLikelihood, Task next, Sensed after) {
-        double[] posterior = log.clone();
-        for (int i = 0; i < posterior.length; i++) {
-            posterior[i] += logLikelihood[i];
-        }
-        boolean possible = Simplex.normaliseLog(posterior);
-        return new HandoverBelief(next, possible ? posterior : log, human, step,
-                possible ? after : after.with(false, false, true));
+    /**
+     * The same belief about another table. What is still there keeps its share among what was there; what was added gets the
+     * share of one object among all, 1 / N, as if nothing had been sensed yet.
+     *
+     * @param other with at least one object
+     */
+    public HandoverBelief on(Scene other) {
+        int[] before = other.objects().stream().mapToInt(o -> scene().indexOf(o.name())).toArray();
+        ActEffect rest = step == null || step.during().done() ? null : step.on(other);
+        return new HandoverBelief(task.on(other), Minds.on(minds, other, before, rest), rest, sensed);
+    }
+
+    private HandoverBelief correct(double[][] logLikelihood, Answer answer, Sensed after) {
+        List<Mind> posterior = Minds.corrected(minds, logLikelihood);
+        List<Mind> next = posterior == null ? minds : posterior;
+        boolean answered = answer != Answer.NONE;
+        return new HandoverBelief(answered ? task.answered(answer) : task,
+                answered ? next.stream().map(m -> m.seeing(m.task().answered(answer))).toList() : next, step,
+                posterior == null ? after.with(false, false, true) : after);
     }
 
     private HandoverBelief sense(Sensed after) {
-        return new HandoverBelief(task, log, human, step, after);
+        return new HandoverBelief(task, minds, step, after);
     }
 
     // ---- BURLAP --------------------------------------------------------------------------------------------------
@@ -241,16 +280,21 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
     @Override
     public double belief(State s) {
         HandoverState state = (HandoverState) s;
-        boolean same = state.task().equals(task) && Arrays.equals(state.human(), human);
-        return !same ? 0 : state.wanted() < 0 ? 1 : probabilities[state.wanted()];
+        int i = state.wanted();
+        return !state.task().equals(task) ? 0 : minds.stream()
+                .filter(m -> m.task().settled().equals(state.seen().settled()) && Arrays.equals(state.human(), m.human()))
+                .mapToDouble(m -> i < 0 ? 1 : minds.size() == 1 ? probabilities[i] : Math.exp(m.log()[i])).sum();
     }
 
     @Override
     public List<StateBelief> nonZeroBeliefs() {
         List<StateBelief> all = new ArrayList<>();
-        for (int i = 0; i < probabilities.length; i++) {
-            if (probabilities[i] > 0) {
-                all.add(new StateBelief(new HandoverState(i, task, human), probabilities[i]));
+        for (Mind m : minds) {
+            for (int i = 0; i < probabilities.length; i++) {
+                double p = minds.size() == 1 ? probabilities[i] : Math.exp(m.log()[i]);
+                if (p > 0) {
+                    all.add(new StateBelief(new HandoverState(i, task, m.human(), m.task()), p));
+                }
             }
         }
         if (all.isEmpty()) {
@@ -262,8 +306,9 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
     /** A state, drawn by BURLAP's {@code RandomFactory} 0 as its callers expect. */
     @Override
     public HandoverState sample() {
-        int i = Simplex.sample(probabilities, probabilities.length, RandomFactory.getMapped(0));
-        return new HandoverState(i, task, human);
+        List<StateBelief> states = nonZeroBeliefs();
+        double[] p = states.stream().mapToDouble(s -> s.belief).toArray();
+        return (HandoverState) states.get(Math.max(0, Simplex.sample(p, p.length, RandomFactory.getMapped(0)))).s;
     }
 
     @Override
@@ -293,8 +338,8 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
 
     @Override
     public boolean equals(Object o) {
-        return o instanceof HandoverBelief b && task.equals(b.task) && Arrays.equals(log, b.log)
-                && Arrays.equals(human, b.human) && sensed.equals(b.sensed) && underWay().equals(b.underWay());
+        return o instanceof HandoverBelief b && task.equals(b.task) && minds.equals(b.minds)
+                && sensed.equals(b.sensed) && underWay().equals(b.underWay());
     }
 
     private Act underWay() {
@@ -303,7 +348,7 @@ public final class HandoverBelief implements EnumerableBeliefState, HashableStat
 
     @Override
     public int hashCode() {
-        return 31 * (31 * task.hashCode() + Arrays.hashCode(log)) + Arrays.hashCode(human);
+        return 31 * task.hashCode() + minds.hashCode();
     }
 
     /** {@code red_ball 0.91 (human expects 0.40), ...}. */

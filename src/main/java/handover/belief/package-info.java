@@ -13,5 +13,11 @@
  * the rate at which people speak), make only that part uninformative; the rest of the utterance still counts. By the letter of
  * MODEL 4.3 the whole observation would be dropped, but then a step heard at once and the same step heard event by event would
  * give different beliefs.
+ *
+ * <p>2026-11-22, minds. Where acts may be misperceived, the belief is over the wanted object and the human's mind together
+ * (docs/theory.md, 9): an answer makes them dependent, and one Dirichlet cannot hold the two peaks of an act that may have been
+ * missed. It is one code path: a base belief has one mind, and what it computes is what it computed before, to the last bit. Near
+ * minds are put together by {@code handover.theory}, hence the arrow from here to there; a second copy of its clustering would have
+ * been the alternative, and its {@code JointBelief} does not hold what the human takes to be open.
  */
 package handover.belief;

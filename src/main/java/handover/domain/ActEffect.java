@@ -1,5 +1,7 @@
 package handover.domain;
 
+import java.util.Arrays;
+
 /**
  * What an act does from a given {@link Task}, apart from beliefs: the task while the human reacts, its price, and who
  * would answer what. Immutable, thread safe.
@@ -19,6 +21,20 @@ public record ActEffect(ActModel model, Task during, double reward, boolean comp
     /** The rest of the step once the pick completed and the table is as in {@code after}: nobody answers. */
     public ActEffect once(Task after) {
         return new ActEffect(model, after, reward, completes, null, after.scene().silence(), 1, null);
+    }
+
+    /** The rest of the step on another table; that of a WAIT if what the act is about is not there any more. */
+    public ActEffect on(Scene other) {
+        Task then = during.on(other);
+        ActModel same = other.model(model.act());
+        if (same == null) {
+            return then.effect(Act.WAIT);
+        }
+        ActModel open = reference == null ? null : other.model(reference.act());
+        boolean silent = Arrays.stream(answers.none()).allMatch(p -> p == 1);
+        return new ActEffect(same, then, reward, completes, open,
+                silent ? other.silence() : other.answers(same, open == null ? same : open), advance,
+                stalled == null ? null : stalled.on(other));
     }
 
     /** P(answer | i) for each object i; not to be modified. */

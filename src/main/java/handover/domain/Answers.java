@@ -1,6 +1,7 @@
 package handover.domain;
 
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * Who would answer what: for each object that may be wanted, the probabilities of yes, no and no answer. Immutable, thread
@@ -24,6 +25,19 @@ public record Answers(double[] yes, double[] no, double[] none) {
         double[][] p = new double[Answer.values().length][match.length];
         for (Answer answer : Answer.values()) {
             Arrays.setAll(p[answer.ordinal()], i -> domain.answerProbability(answer, type, match[i]));
+        }
+        return new Answers(p[Answer.YES.ordinal()], p[Answer.NO.ordinal()], p[Answer.NONE.ordinal()]);
+    }
+
+    /** A mixture with these weights. */
+    static Answers average(List<Answers> parts, double[] weights) {
+        double[][] p = new double[Answer.values().length][parts.get(0).yes.length];
+        for (Answer answer : Answer.values()) {
+            for (int k = 0; k < weights.length; k++) {
+                for (int i = 0; i < p[answer.ordinal()].length; i++) {
+                    p[answer.ordinal()][i] += weights[k] * parts.get(k).of(answer)[i];
+                }
+            }
         }
         return new Answers(p[Answer.YES.ordinal()], p[Answer.NO.ordinal()], p[Answer.NONE.ordinal()]);
     }

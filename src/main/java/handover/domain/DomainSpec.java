@@ -28,17 +28,21 @@ import java.util.function.Consumer;
  * @param wrongPick what happens to an object that was not wanted
  * @param ask what may be asked about
  * @param understanding how people read the robot's acts
+ * @param perception how often they miss or misread them
  * @param speech how people speak
  * @param gesture how people point
  * @param rewards what is paid
  * @param pick of the variants with incremental picks
  * @param communicated of the variants in which the human's expectation is a hidden object
  * @param acts verb in lower case to the parameters of that type of act
+ * @param frames name to where that frame lies, for positions that sensors give in it
+ * @param adapters topic to how that topic is read, for sensors that somebody else publishes
  */
 public record DomainSpec(String name, String description, String variant, List<TableObject> objects, Map<String, Double> prior,
         Vector3 pointingOrigin, Vector3 shoulder, double tau, double tauHuman, int handovers, WrongPick wrongPick,
-        AskParameters ask, Understanding understanding, SpeechParameters speech, GestureParameters gesture,
-        Rewards rewards, PickParameters pick, CommunicatedParameters communicated, Map<String, ActParameters> acts) {
+        AskParameters ask, Understanding understanding, PerceptionParameters perception, SpeechParameters speech, GestureParameters gesture,
+        Rewards rewards, PickParameters pick, CommunicatedParameters communicated, Map<String, ActParameters> acts,
+        Map<String, Frame> frames, Map<String, Adapter> adapters) {
     /** The variant of the base domain. */
     public static final String BASE = "base";
 
@@ -67,6 +71,7 @@ public record DomainSpec(String name, String description, String variant, List<T
         Check.present("wrong_pick", wrongPick, "returned, removed or terminal");
         Check.present("ask", ask, "an object");
         Check.present("understanding", understanding, "an object");
+        Check.present("perception", perception, "an object");
         Check.present("speech", speech, "an object");
         Check.present("gesture", gesture, "an object");
         Check.present("rewards", rewards, "an object");
@@ -74,6 +79,8 @@ public record DomainSpec(String name, String description, String variant, List<T
         Check.present("communicated", communicated, "an object");
         acts = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("acts", acts, "an object")));
         acts.forEach((verb, parameters) -> Check.present("acts." + verb, parameters, "an object"));
+        frames = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("frames", frames, "an object")));
+        adapters = Collections.unmodifiableMap(new LinkedHashMap<>(Check.present("adapters", adapters, "an object")));
         checkWords(objects, speech);
     }
 
@@ -87,11 +94,11 @@ public record DomainSpec(String name, String description, String variant, List<T
         acts.put("pick", new ActParameters(-1, 4, 0.5, 0.3, 0.1, 0.7));
         return new DomainSpec(name, "", BASE, objects, Map.of(), new Vector3(0, 0, 0.3), new Vector3(0.15, 1.4, 0.35),
                 1, 0.95, 1, WrongPick.RETURNED, new AskParameters(AskSets.SINGLETONS),
-                new Understanding(0.1, 0.162, 0.01),
+                new Understanding(0.1, 0.162, 0.01), PerceptionParameters.EXACT,
                 new SpeechParameters(0.2, 0.05, 0, 0, 0.01, List.of(0.5, 0.3, 0.2)),
                 new GestureParameters(0.04, 0.05),
                 new Rewards(50, -150, -2, 1, MatchScore.BRIER, 0.95), new PickParameters(3, 1),
-                new CommunicatedParameters(3, MatchScore.LINEAR), acts);
+                new CommunicatedParameters(3, MatchScore.LINEAR), acts, Map.of(), Map.of());
     }
 
     /** A copy with some fields changed: {@code spec.with(s -> s.tau = 0.9)}; checked like any other. */
@@ -99,8 +106,8 @@ public record DomainSpec(String name, String description, String variant, List<T
         Fields f = new Fields(this);
         change.accept(f);
         return new DomainSpec(f.name, f.description, f.variant, f.objects, f.prior, f.pointingOrigin, f.shoulder, f.tau, f.tauHuman,
-                f.handovers, f.wrongPick, f.ask, f.understanding, f.speech, f.gesture, f.rewards, f.pick,
-                f.communicated, f.acts);
+                f.handovers, f.wrongPick, f.ask, f.understanding, f.perception, f.speech, f.gesture, f.rewards, f.pick,
+                f.communicated, f.acts, f.frames, f.adapters);
     }
 
     /** The fields of a spec under change; see {@link DomainSpec} for what each means. Not thread safe. */
@@ -118,6 +125,7 @@ public record DomainSpec(String name, String description, String variant, List<T
         public WrongPick wrongPick;
         public AskParameters ask;
         public Understanding understanding;
+        public PerceptionParameters perception;
         public SpeechParameters speech;
         public GestureParameters gesture;
         public Rewards rewards;
@@ -125,6 +133,8 @@ public record DomainSpec(String name, String description, String variant, List<T
         public CommunicatedParameters communicated;
         /** Modifiable copy. */
         public Map<String, ActParameters> acts;
+        public Map<String, Frame> frames;
+        public Map<String, Adapter> adapters;
 
         private Fields(DomainSpec s) {
             name = s.name;
@@ -140,12 +150,15 @@ public record DomainSpec(String name, String description, String variant, List<T
             wrongPick = s.wrongPick;
             ask = s.ask;
             understanding = s.understanding;
+            perception = s.perception;
             speech = s.speech;
             gesture = s.gesture;
             rewards = s.rewards;
             pick = s.pick;
             communicated = s.communicated;
             acts = new LinkedHashMap<>(s.acts);
+            frames = s.frames;
+            adapters = s.adapters;
         }
     }
 

@@ -92,6 +92,17 @@ public class HandoverDomain implements DomainGenerator {
         Simplex.update(tauHuman, h, act.lambda(), out, n);
     }
 
+    /**
+     * What the human may take an act for (MODEL 8): by default as {@code perception} of the spec says. Asked once for each act
+     * of a scene that refers to something and is no pick; every other act is perceived as it is.
+     *
+     * @param offered all acts of the scene, of which those that are given must be
+     * @return a distribution
+     */
+    protected List<Percept> percepts(ActModel act, List<ActModel> offered) {
+        return spec.perception().exact() ? Percept.exact(act) : Percept.of(act, offered, spec.perception());
+    }
+
     /** The price of an act, with annoyance: what does not depend on any belief and does not complete a pick (MODEL 6). */
     public double actReward(Task before, ActModel act) {
         boolean annoying = act.isCommunicative() && act.act().equals(before.openReference());
@@ -106,7 +117,8 @@ public class HandoverDomain implements DomainGenerator {
     /**
      * kappa S(b, h'), paid on every step (MODEL 6).
      *
-     * @param b belief about the wanted object, before the observation; not modified
+     * @param b belief about the wanted object, before the observation; not modified. Where h is uncertain: for scores of
+     *     states given h, so that the expectation over h is that of the states
      * @param h the human's belief after the act; not modified
      */
     public double matchReward(double[] b, double[] h, int n) {

@@ -36,6 +36,28 @@ public final class HandoverModel implements FullModel {
      */
     record Outcome(double p, int wanted, double[] human, HandoverState next, double reward) {}
 
+    /**
+     * An act and what the human takes it for.
+     *
+     * @param effect of the act
+     * @param seen the effect of what they perceive on the task as they see it; answers come from it
+     * @param reward price and annoyance, which who missed the act before does not feel
+     */
+    private record Reaction(ActEffect effect, ActEffect seen, double reward) {
+        static Reaction to(HandoverState s, Act act) {
+            ActEffect seen = s.seen().effect(act);
+            return new Reaction(s.task().effect(act), seen, seen.reward());
+        }
+
+        Reaction perceived(HandoverState s, ActModel act) {
+            return act == effect.model() ? this : new Reaction(effect, s.seen().effect(act.index()), reward);
+        }
+
+        Reaction stalled() {
+            return new Reaction(effect.stalled(), seen.stalled(), reward);
+        }
+    }
+
     /** All outcomes of positive probability; throws {@link IllegalArgumentException} if the act is not legal. */
     @Override
     public List<TransitionProb> transitions(State s, Action a) {
@@ -54,15 +76,19 @@ public final class HandoverModel implements FullModel {
     }
 
     List<Outcome> outcomes(HandoverState s, Act act) {
-        ActEffect effect = s.task().effect(act);
-        double[] human = domain.understood(effect.model(), s.human());
+        Reaction done = Reaction.to(s, act);
         double[] wanted = moved(s);
         List<Outcome> all = new ArrayList<>();
-        for (int i = 0; i < wanted.length; i++) {
-            if (wanted[i] > 0) {
-                addOutcomes(effect, i, human, wanted[i] * effect.advance(), all);
-                if (effect.stalled() != null) {
-                    addOutcomes(effect.stalled(), i, human, wanted[i] * (1 - effect.advance()), all);
+        for (Percept percept : s.task().scene().percepts(done.effect.model())) {
+            Reaction r = done.perceived(s, percept.act());
+            double[] human = domain.understood(percept.act(), s.human());
+            for (int i = 0; i < wanted.length; i++) {
+                if (wanted[i] > 0) {
+                    double p = percept.probability() * wanted[i];
+                    addOutcomes(r, i, human, p * r.effect.advance(), all);
+                    if (r.effect.stalled() != null) {
+                        addOutcomes(r.stalled(), i, human, p * (1 - r.effect.advance()), all);
+                    }
                 }
             }
         }
@@ -75,37 +101,37 @@ public final class HandoverModel implements FullModel {
         return wanted;
     }
 
-    private void addOutcomes(ActEffect effect, int i, double[] human, double p, List<Outcome> all) {
-        if (!effect.completes()) {
+    private void addOutcomes(Reaction r, int i, double[] human, double p, List<Outcome> all) {
+        if (!r.effect.completes()) {
             for (Answer answer : Answer.values()) {
-                double q = effect.answers(answer)[i];
+                double q = r.seen.answers(answer)[i];
                 if (q > 0) {
-                    all.add(answered(effect, i, human, answer, p * q));
+                    all.add(answered(r, i, human, answer, p * q));
                 }
             }
             return;
         }
-        double[] wishes = wishesAfter(effect, i);
+        double[] wishes = wishesAfter(r.effect, i);
         for (int j = 0; j < wishes.length; j++) {
             if (wishes[j] > 0) {
-                all.add(completed(effect, i, human, j, p * wishes[j]));
+                all.add(completed(r, i, human, j, p * wishes[j]));
             }
         }
         if (wishes.length == 0) {
-            all.add(completed(effect, i, human, -1, p));
+            all.add(completed(r, i, human, -1, p));
         }
     }
 
-    private static Outcome answered(ActEffect effect, int wanted, double[] human, Answer answer, double p) {
-        HandoverState next = new HandoverState(wanted, effect.during().answered(answer), human);
-        return new Outcome(p, wanted, human, next, effect.reward());
+    private static Outcome answered(Reaction r, int wanted, double[] human, Answer answer, double p) {
+        HandoverState next = new HandoverState(wanted, r.effect.during().answered(answer), human, r.seen.during().answered(answer));
+        return new Outcome(p, wanted, human, next, r.reward);
     }
 
-    private Outcome completed(ActEffect effect, int wanted, double[] human, int wish, double p) {
-        boolean right = effect.model().target() == wanted;
-        Task task = effect.during().completed(right);
+    private Outcome completed(Reaction r, int wanted, double[] human, int wish, double p) {
+        boolean right = r.effect.model().target() == wanted;
+        Task task = r.effect.during().completed(right);
         HandoverState next = new HandoverState(wish, task, Simplex.uniform(task.scene().size()));
-        return new Outcome(p, wanted, human, next, effect.reward() + domain.pickReward(right));
+        return new Outcome(p, wanted, human, next, r.reward + domain.pickReward(right));
     }
 
     /** What the human wants once the pick completed: a new wish, or what they wanted all the time. */
@@ -139,17 +165,28 @@ public final class HandoverModel implements FullModel {
     }
 
     Outcome draw(HandoverState s, Act act, RandomGenerator nature, RandomGenerator human) {
-        ActEffect effect = s.task().effect(act);
-        double[] h = domain.understood(effect.model(), s.human());
+        Reaction r = Reaction.to(s, act);
+        ActModel percept = perceived(s.task().scene().percepts(r.effect.model()), human);
+        r = r.perceived(s, percept);
+        double[] h = domain.understood(percept, s.human());
         int i = Simplex.sample(moved(s), h.length, nature);
-        if (effect.stalled() != null && nature.nextDouble() >= effect.advance()) {
-            effect = effect.stalled();
+        if (r.effect.stalled() != null && nature.nextDouble() >= r.effect.advance()) {
+            r = r.stalled();
         }
-        if (!effect.completes()) {
-            return answered(effect, i, h, HumanModel.answer(effect, i, human.nextDouble()), 1);
+        if (!r.effect.completes()) {
+            return answered(r, i, h, HumanModel.answer(r.seen, i, human.nextDouble()), 1);
         }
-        double[] wishes = wishesAfter(effect, i);
-        return completed(effect, i, h, Simplex.sample(wishes, wishes.length, nature), 1);
+        double[] wishes = wishesAfter(r.effect, i);
+        return completed(r, i, h, Simplex.sample(wishes, wishes.length, nature), 1);
+    }
+
+    /** Draws nothing if only one act can be perceived. */
+    private static ActModel perceived(List<Percept> percepts, RandomGenerator human) {
+        if (percepts.size() == 1) {
+            return percepts.get(0).act();
+        }
+        double[] p = percepts.stream().mapToDouble(Percept::probability).toArray();
+        return percepts.get(Simplex.sample(p, p.length, human)).act();
     }
 
     @Override

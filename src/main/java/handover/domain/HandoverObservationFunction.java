@@ -86,7 +86,7 @@ public final class HandoverObservationFunction implements ObservationFunction {
     }
 
     private static ActModel reference(HandoverState s) {
-        Act reference = s.task().reference();
+        Act reference = s.seen().reference();
         return reference == null ? null : s.task().scene().model(reference);
     }
 

@@ -13,7 +13,8 @@ import java.util.Map;
 /**
  * A state &lt;omega, O, h&gt; as a BURLAP object-oriented state: one object of class {@code object} for each thing on the
  * table, with its position and how much the human expects it, and one of class {@code task} for what is wanted and the
- * rest of what is known. Immutable, thread safe; equal by value.
+ * rest of what is known. Where the human may misperceive acts, h is hidden too, and so is the task as they see it; the task
+ * object then has the attribute {@code understood}, what they take to be open. Immutable, thread safe; equal by value.
  */
 public final class HandoverState implements TableState {
     public static final String CLASS_OBJECT = "object";
@@ -22,16 +23,27 @@ public final class HandoverState implements TableState {
     private final int wanted;
     private final Task task;
     private final double[] human;
+    private final Task seen;
 
     /**
+     * A state in which the human sees the task as it is.
+     *
      * @param wanted omega, the position in the scene of the object that the human wants; -1 if there is none left
      * @param task the discrete part of what is known
      * @param human h, one entry per object; not copied, must not be modified
      */
     public HandoverState(int wanted, Task task, double[] human) {
+        this(wanted, task, human, task);
+    }
+
+    /**
+     * @param seen the task as the human sees it; the same as {@code task} but for what is open
+     */
+    public HandoverState(int wanted, Task task, double[] human, Task seen) {
         this.wanted = wanted;
         this.task = task;
         this.human = human;
+        this.seen = seen;
     }
 
     /** The wish and what is known, of a state of any variant. */
@@ -56,6 +68,11 @@ public final class HandoverState implements TableState {
     /** h, one entry per object; must not be modified. */
     public double[] human() {
         return human;
+    }
+
+    /** The task as the human sees it, who may have missed or misread acts. */
+    public Task seen() {
+        return seen;
     }
 
     @Override
@@ -89,6 +106,9 @@ public final class HandoverState implements TableState {
         values.put("signal", task.signal());
         values.put("handovers", task.handovers());
         values.put("done", task.done());
+        if (!task.scene().perceivedExactly()) {
+            values.put("understood", seen.reference() == null ? "" : seen.reference().toString());
+        }
         if (key != null) {
             values.put(key, value);
         }
@@ -98,7 +118,8 @@ public final class HandoverState implements TableState {
 
     @Override
     public boolean equals(Object o) {
-        return o instanceof HandoverState s && wanted == s.wanted && task.equals(s.task) && Arrays.equals(human, s.human);
+        return o instanceof HandoverState s && wanted == s.wanted && task.equals(s.task) && seen.equals(s.seen)
+                && Arrays.equals(human, s.human);
     }
 
     @Override

@@ -36,7 +36,7 @@ public final class Scene {
         this.hash = this.objects.hashCode();
     }
 
-    private record Tables(List<ActModel> acts, Map<Act, ActModel> models, Words words) {}
+    private record Tables(List<ActModel> acts, Map<Act, ActModel> models, List<List<Percept>> percepts, boolean exact, Words words) {}
 
     private Tables tables() {
         Tables t = tables;
@@ -44,7 +44,10 @@ public final class Scene {
             List<ActModel> acts = modelActs(domain.types(), objects);
             Map<Act, ActModel> models = new HashMap<>();
             acts.forEach(m -> models.put(m.act(), m));
-            t = new Tables(List.copyOf(acts), models, Words.plain(domain.vocabulary(), objects));
+            List<List<Percept>> percepts = acts.stream()
+                    .map(m -> m.isCommunicative() ? domain.percepts(m, acts) : Percept.exact(m)).toList();
+            boolean exact = acts.stream().allMatch(m -> percepts.get(m.index()).equals(Percept.exact(m)));
+            t = new Tables(List.copyOf(acts), models, percepts, exact, Words.plain(domain.vocabulary(), objects));
             tables = t;
         }
         return t;
@@ -71,6 +74,16 @@ public final class Scene {
     /** All acts, type by type. */
     public List<ActModel> acts() {
         return tables().acts;
+    }
+
+    /** What the human may take an act for. */
+    public List<Percept> percepts(ActModel act) {
+        return tables().percepts.get(act.index());
+    }
+
+    /** Whether what the human perceives is known for every act, so that h is a function of the robot's own acts. */
+    public boolean perceivedExactly() {
+        return tables().exact;
     }
 
     /** The model of an act, null if the act is not on offer here. Its objects may be named in any order. */

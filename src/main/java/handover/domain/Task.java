@@ -31,6 +31,7 @@ public final class Task {
     private final int hash;
     /** These caches are filled on demand, racily on purpose: the values are immutable and equal whoever computes them. */
     private final ActEffect[] effects;
+    private final Answers[] expected;
     private final Task[] answered = new Task[Answer.values().length];
     private final Task[] completed = new Task[2];
     private int[] byReward;
@@ -40,6 +41,7 @@ public final class Task {
         this.key = key;
         this.hash = Objects.hash(scene, key);
         this.effects = key.done ? new ActEffect[0] : new ActEffect[scene.acts().size()];
+        this.expected = key.done || scene.perceivedExactly() ? new Answers[0] : new Answers[effects.length];
     }
 
     public Scene scene() {
@@ -142,6 +144,37 @@ public final class Task {
     /** This task with the pick given up. */
     public Task cancelled() {
         return with(new Key(key.reference, key.answer, null, 0, PickSignal.NONE, key.handovers, key.done));
+    }
+
+    /** This task on another table; what is about an object that is not there any more is dropped. */
+    public Task on(Scene other) {
+        Act reference = key.reference != null && other.model(key.reference) != null ? key.reference : null;
+        boolean reaching = key.target != null && other.indexOf(key.target) >= 0;
+        PickSignal signal = reaching || key.target == null ? key.signal : PickSignal.NONE;
+        return other.task(new Key(reference, reference == null ? Answer.NONE : key.answer, reaching ? key.target : null,
+                reaching ? key.progress : 0, signal, key.handovers, key.done || other.size() == 0));
+    }
+
+    /** What of this task matters to what comes next: without what the step that is over was about. */
+    public Task settled() {
+        return with(new Key(openReference(), Answer.NONE, key.target, key.progress, PickSignal.NONE, key.handovers, key.done));
+    }
+
+    /**
+     * Who would answer what to the act with this index, on average over what the human may take it for.
+     */
+    public Answers expectedAnswers(int act) {
+        List<Percept> percepts = scene.percepts(scene.acts().get(act));
+        if (percepts.size() == 1) {
+            return effect(percepts.get(0).act().index()).answers();
+        }
+        Answers e = expected[act];
+        if (e == null) {
+            e = Answers.average(percepts.stream().map(p -> effect(p.act().index()).answers()).toList(),
+                    percepts.stream().mapToDouble(Percept::probability).toArray());
+            expected[act] = e;
+        }
+        return e;
     }
 
     /** The task with other values on the same scene. */

@@ -15,5 +15,14 @@
  *
  * <p>2026-11-22, a pick takes the floor. PICK neither becomes nor keeps an open reference: what is said while the robot
  * reaches is about the reach.
+ *
+ * <p>2026-11-22, misperception is a part of every domain, not of one. {@code perception} of the spec and the seam
+ * {@link handover.domain.HandoverDomain#percepts} work with increments, communicated objects and variants of other people, and a
+ * human file can have it; the variant {@code nested} is only a different default. Where the human may misperceive, a state holds a
+ * second task, the one that they see: it has the reference that they take to be open, and its cached effects give answers,
+ * contrast and annoyance without another formula. A misread act is taken for the act of its type that is most like it, so that an
+ * update has three branches and not as many as there are acts. Rejected: a hidden flag "the last act was missed" (a question that
+ * was missed must stay missed when it is answered later), and misperceived picks (the report calls them indisputable). The rates
+ * of words and gestures follow the act that was done, so that a state need not remember what was perceived beyond what is open.
  */
 package handover.domain;

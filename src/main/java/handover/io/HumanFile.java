@@ -6,6 +6,7 @@ import handover.domain.ActParameters;
 import handover.domain.DomainSpec;
 import handover.domain.GestureParameters;
 import handover.domain.InvalidParameterException;
+import handover.domain.PerceptionParameters;
 import handover.domain.SpeechParameters;
 import handover.domain.TableObject;
 import handover.domain.Understanding;
@@ -24,8 +25,8 @@ import java.util.Set;
  * @param objects only those for which these people have words of their own
  * @param acts verb in lower case to how these people reply to that type of act
  */
-record HumanFile(String description, double tau, double tauHuman, Understanding understanding, SpeechParameters speech,
-        GestureParameters gesture, Vector3 shoulder, List<NamedWords> objects, Map<String, Replies> acts) {
+record HumanFile(String description, double tau, double tauHuman, Understanding understanding,
+        PerceptionParameters perception, SpeechParameters speech, GestureParameters gesture, Vector3 shoulder, List<NamedWords> objects, Map<String, Replies> acts) {
     private static final Shape SHAPE = new Shape("a human file");
 
     /** The words that these people use for an object of the domain. */
@@ -68,7 +69,7 @@ record HumanFile(String description, double tau, double tauHuman, Understanding 
         Map<String, Replies> acts = new LinkedHashMap<>();
         planner.acts().forEach((verb, parameters) -> acts.put(verb, Replies.of(parameters)));
         return new HumanFile(planner.description(), planner.tau(), planner.tauHuman(), planner.understanding(),
-                planner.speech(), planner.gesture(), planner.shoulder(), List.of(), acts);
+                planner.perception(), planner.speech(), planner.gesture(), planner.shoulder(), List.of(), acts);
     }
 
     /** The planner's domain with these people in it; throws {@link DomainFileException} for what it refuses. */
@@ -82,6 +83,7 @@ record HumanFile(String description, double tau, double tauHuman, Understanding 
                 f.tau = tau;
                 f.tauHuman = tauHuman;
                 f.understanding = understanding;
+                f.perception = perception;
                 f.speech = speech;
                 f.gesture = gesture;
                 f.shoulder = shoulder;

@@ -14,8 +14,8 @@ import java.util.Map;
 
 /**
  * The value of a policy that asks about one object after the other, the likeliest first, hands over the first that gets a
- * yes, and listens to nothing else. It is followed in expectation along the one path on which nobody says yes. Its match
- * part, which is small, is that of a human who expects nothing in particular before each question, and 0 for the pick that
+ * yes, and listens to nothing else. It is followed in expectation along the one path on which nobody says yes. A yes counts
+ * as it does on average over what the human may take the question for. Its match part, which is small, is that of a human who expects nothing in particular before each question, and 0 for the pick that
  * follows a yes. Used by one thread at a time.
  */
 final class AskInTurn {
@@ -86,7 +86,7 @@ final class AskInTurn {
         Question question = turn.questions[x];
         if (question == null) {
             ActEffect effect = turn.task.effect(asks[x].index());
-            question = new Question(effect.reward(), effect.answers().yes(), turn(effect.during()));
+            question = new Question(effect.reward(), turn.task.expectedAnswers(asks[x].index()).yes(), turn(effect.during()));
             turn.questions[x] = question;
         }
         return question;

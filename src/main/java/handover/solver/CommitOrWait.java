@@ -239,11 +239,16 @@ final class CommitOrWait {
         return b.bound;
     }
 
-    /** On a pick that completes, however far the search looks after it. */
-    double boundOfPick(HandoverSearch.Node node, ActEffect pick) {
-        double right = node.b.p[pick.model().target()];
-        return pick.reward() + matchBound(node.b) + search.pickReward(right) + domain.discount() * (right * mostAfterHandover
-                + (1 - right) * most);
+    /** On an act, however far the search looks after it. */
+    double bound(HandoverSearch.Node node, ActEffect effect) {
+        double now = effect.reward() + matchBound(node.b);
+        double onward = domain.discount() * most;
+        if (!effect.completes()) {
+            return now + onward;
+        }
+        double right = node.b.p[effect.model().target()];
+        double outcome = search.pickReward(right) + right * domain.discount() * mostAfterHandover + (1 - right) * onward;
+        return now + effect.advance() * outcome + (1 - effect.advance()) * onward;
     }
 
     /** On a pick with leaves after it, whether it completes or not. */

@@ -21,7 +21,7 @@ import java.util.random.RandomGenerator;
  * enumerated, speech and gestures are sampled. Everything that is added up here comes from the seams of the domain. Used by
  * one thread at a time.
  */
-public final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
+public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
     private final HandoverDomain domain;
     private final int capacity;
     private final int actCapacity;
@@ -53,6 +53,11 @@ public final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         return node().load(belief);
     }
 
+    @Override
+    public void load(Node node, HandoverBelief belief) {
+        node.load(belief);
+    }
+
     /** A belief with its known part; between act and observation also what is under way. */
     public final class Node {
         /** {@link #own} or, where nothing was observed, another node's. */
@@ -68,7 +73,7 @@ public final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         double match;
         /** Whether people may still answer: not once a pick completed. */
         boolean answerable;
-        private final SearchBelief own = new SearchBelief(capacity);
+        final SearchBelief own = new SearchBelief(capacity);
         /** P(content words | i) of the step that leads here, once {@link #sampled} was asked. */
         private final double[] rates = new double[capacity];
         private final Expectations ownExpectations = new Expectations(domain, capacity, actCapacity);
@@ -102,6 +107,10 @@ public final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
         return domain.discount();
     }
 
+    HandoverDomain domain() {
+        return domain;
+    }
+
     @Override
     public int acts(Node node) {
         return node.task.done() ? 0 : node.task.scene().acts().size();
@@ -110,16 +119,21 @@ public final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
     @Override
     public double start(Node node, int act, Node next) {
         ActEffect effect = node.task.effect(act);
+        double pick = begin(node, effect, next);
+        next.h = node.after(effect.model());
+        next.match = domain.matchReward(next.b.p, next.h, node.n);
+        return effect.reward() + next.match + pick;
+    }
+
+    /** Predicts all but h'; gives the expected reward of a pick that completes. */
+    double begin(Node node, ActEffect effect, Node next) {
         next.n = node.n;
         next.task = effect.during();
         next.policy = node.policy;
         next.effect = effect;
-        next.h = node.after(effect.model());
         next.b = predicted(node, next.own);
         next.answerable = !effect.completes();
-        next.match = domain.matchReward(next.b.p, next.h, node.n);
-        double pick = effect.completes() ? effect.advance() * pickReward(next.b.p[effect.model().target()]) : 0;
-        return effect.reward() + next.match + pick;
+        return effect.completes() ? effect.advance() * pickReward(next.b.p[effect.model().target()]) : 0;
     }
 
     /** b after the transition of omega; without one, the node's own. */
@@ -279,15 +293,13 @@ public final class HandoverSearch implements BeliefMdp<HandoverSearch.Node> {
 
     @Override
     public double bound(Node node, int act) {
-        ActEffect effect = node.task.effect(act);
-        return !moves && effect.completes() && effect.stalled() == null
-                ? node.policy.boundOfPick(node, effect) : Double.POSITIVE_INFINITY;
+        return moves ? Double.POSITIVE_INFINITY : node.policy.bound(node, node.task.effect(act));
     }
 
     /** Acts are tried in the order in which they may be the best, until a bound shows that no other is. */
     @Override
     public double last(Node node, boolean leaves, Node next) {
-        return moves || !leaves ? BeliefMdp.super.last(node, leaves, next) : node.policy.last(node, next);
+        return moves || !leaves ? BeliefSearch.super.last(node, leaves, next) : node.policy.last(node, next);
     }
 
     private CommitOrWait commitOrWait(Scene scene) {

@@ -1,16 +1,7 @@
 package handover.solver;
 
-import handover.belief.HandoverBelief;
-import handover.domain.Act;
-import handover.domain.ActModel;
 import handover.domain.HandoverDomain;
-import handover.domain.Scene;
-import java.util.LinkedHashMap;
-import java.util.List;
-import java.util.Map;
-import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.ConcurrentLinkedDeque;
-import java.util.concurrent.ConcurrentMap;
+import handover.math.Simplex;
 import java.util.random.RandomGenerator;
 
 /**
@@ -24,9 +15,6 @@ import java.util.random.RandomGenerator;
  *     wait), or 0
  */
 public record Poss(int horizon, int width, boolean leaves) implements Solver {
-    /** What is kept about tables is dropped when there are more of them: where objects keep moving, old ones do not return. */
-    private static final int MOST_SCENES = 256;
-
     /** Throws {@link IllegalArgumentException} for a horizon or width below 1. */
     public Poss {
         if (horizon < 1 || width < 1) {
@@ -41,86 +29,28 @@ public record Poss(int horizon, int width, boolean leaves) implements Solver {
 
     @Override
     public Policy solve(HandoverDomain domain, RandomGenerator random) {
-        Searching policy = new Searching();
-        policy.prepare(domain.start());
-        return policy;
+        return new Searches(domain.start(), Deepening::new);
     }
 
-    /** Shares what is computed once per scene; each decision borrows a search for itself. */
-    private final class Searching implements Policy {
-        private final ConcurrentMap<Scene, Evidence> evidence = new ConcurrentHashMap<>();
-        private final ConcurrentMap<Scene, ConcurrentLinkedDeque<Search>> idle = new ConcurrentHashMap<>();
+    private final class Deepening<N> implements Searches.Search<N> {
+        private final SparseSampling<N> sampling;
+        private final double[] next;
 
-        /** Computes what a first decision would otherwise wait for. */
-        void prepare(Scene scene) {
-            evidence.computeIfAbsent(scene, Evidence::new);
-            idle.computeIfAbsent(scene, s -> new ConcurrentLinkedDeque<>()).add(new Search(scene));
+        Deepening(BeliefMdp<N> mdp, int acts) {
+            sampling = new SparseSampling<>(mdp, width, leaves);
+            next = new double[acts];
         }
 
         @Override
-        public Decision decide(HandoverBelief belief, Deadline deadline, RandomGenerator random) {
-            if (evidence.size() > MOST_SCENES) {
-                evidence.clear();
-                idle.clear();
+        public Searches.Result search(N root, Deadline deadline, long seed, double[] q) {
+            long before = sampling.nodes();
+            int depth = deadline == Deadline.NONE ? horizon : 1;
+            sampling.values(root, depth, seed, Deadline.NONE, q);
+            while (depth < horizon && !deadline.passed() && sampling.values(root, depth + 1, seed, deadline, next)) {
+                System.arraycopy(next, 0, q, 0, q.length);
+                depth++;
             }
-            var searches = idle.computeIfAbsent(belief.scene(), s -> new ConcurrentLinkedDeque<>());
-            Search search = searches.pollFirst();
-            if (search == null) {
-                search = new Search(belief.scene());
-            }
-            try {
-                return search.decide(belief, deadline, random.nextLong());
-            } finally {
-                searches.addFirst(search);
-            }
-        }
-
-        /** One thread's buffers. */
-        private final class Search {
-            private final HandoverSearch mdp;
-            private final HandoverSearch.Node root;
-            private final SparseSampling<HandoverSearch.Node> sampling;
-            private double[] best;
-            private double[] next;
-
-            Search(Scene scene) {
-                mdp = new HandoverSearch(scene, evidence);
-                root = mdp.node();
-                sampling = new SparseSampling<>(mdp, width, leaves);
-                best = new double[scene.acts().size()];
-                next = new double[scene.acts().size()];
-            }
-
-            Decision decide(HandoverBelief belief, Deadline deadline, long seed) {
-                long before = sampling.nodes();
-                root.load(belief);
-                int depth = 0;
-                if (deadline == Deadline.NONE) {
-                    sampling.values(root, horizon, seed, deadline, best);
-                    depth = horizon;
-                } else {
-                    sampling.values(root, 1, seed, Deadline.NONE, best);
-                    depth = 1;
-                    while (depth < horizon && !deadline.passed()
-                            && sampling.values(root, depth + 1, seed, deadline, next)) {
-                        double[] swap = best;
-                        best = next;
-                        next = swap;
-                        depth++;
-                    }
-                }
-                return decision(belief.scene().acts(), depth, sampling.nodes() - before);
-            }
-
-            private Decision decision(List<ActModel> acts, int depth, long nodes) {
-                Map<Act, Double> values = new LinkedHashMap<>();
-                ActModel choice = acts.get(0);
-                for (ActModel m : acts) {
-                    values.put(m.act(), best[m.index()]);
-                    choice = best[m.index()] > best[choice.index()] ? m : choice;
-                }
-                return new Decision(choice.act(), values, depth, nodes, depth == horizon);
-            }
+            return new Searches.Result(Simplex.argmax(q, q.length), depth, sampling.nodes() - before, depth == horizon, null);
         }
     }
 }

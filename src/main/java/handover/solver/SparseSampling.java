@@ -17,7 +17,7 @@ import java.util.List;
  * @param <N> node of the problem
  */
 public final class SparseSampling<N> {
-    private static final int NODES_BETWEEN_CHECKS = 256;
+    private static final int NODES_BETWEEN_CHECKS = 16;
 
     private final BeliefMdp<N> mdp;
     private final int width;
@@ -55,17 +55,51 @@ public final class SparseSampling<N> {
      * @return false if the deadline passed first: then {@code q} is undefined
      */
     public boolean values(N root, int horizon, long seed, Deadline limit, double[] q) {
+        begin(horizon, limit);
+        int acts = mdp.acts(root);
+        for (int a = 0; a < acts && !stopped; a++) {
+            q[a] = actValue(root, a, horizon, seed);
+        }
+        return !stopped;
+    }
+
+    /**
+     * One draw of the value of an act: as {@link #values}, but with a single observation of each outcome of this act.
+     *
+     * @param horizon at least 2
+     * @param stratum in [0, 1): which part of the distribution of hidden states the observation comes from
+     * @return NaN if the deadline passed first
+     */
+    double draw(N root, int act, int horizon, double stratum, long seed, Deadline limit) {
+        begin(horizon, limit);
+        Level<N> level = levels.get(horizon);
+        double value = mdp.start(root, act, level.predicted);
+        int outcomes = mdp.outcomes(level.predicted);
+        for (int k = 0; k < outcomes && !stopped; k++) {
+            double p = mdp.outcome(level.predicted, k, level.outcome);
+            if (p > 0 && mdp.acts(level.outcome) > 0) {
+                value += mdp.discount() * p * onward(level, horizon, stratum, seed);
+            }
+        }
+        return stopped ? Double.NaN : value;
+    }
+
+    private double onward(Level<N> level, int horizon, double stratum, long seed) {
+        if (!mdp.sampled(level.outcome)) {
+            return value(level.outcome, horizon - 1, seed);
+        }
+        random.seed(seed);
+        mdp.sample(level.outcome, stratum, random, level.next);
+        return value(level.next, horizon - 1, seed);
+    }
+
+    private void begin(int horizon, Deadline limit) {
         while (levels.size() <= horizon) {
             levels.add(new Level<>(mdp.node(), mdp.node(), mdp.node()));
         }
         deadline = limit;
         stopped = false;
         untilCheck = NODES_BETWEEN_CHECKS;
-        int acts = mdp.acts(root);
-        for (int a = 0; a < acts && !stopped; a++) {
-            q[a] = actValue(root, a, horizon, seed);
-        }
-        return !stopped;
     }
 
     private double value(N node, int horizon, long seed) {

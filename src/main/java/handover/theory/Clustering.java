@@ -11,7 +11,7 @@ import java.util.List;
  * <p>Source: Gonzalez, "Clustering to minimize the maximum intercluster distance", 1985, with weights; the Hellinger
  * distance ||sqrt p - sqrt q|| because an update stretches differences between small probabilities.
  */
-final class Clustering {
+public final class Clustering {
     private Clustering() {}
 
     /** At most {@code limit} atoms with the same mean. */
@@ -20,7 +20,7 @@ final class Clustering {
     }
 
     /** To which of at most {@code limit} clusters, counted from 0, each belief belongs; the arguments are not modified. */
-    static int[] groups(double[] w, List<double[]> points, int limit) {
+    public static int[] groups(double[] w, List<double[]> points, int limit) {
         double[][] roots = points.stream().map(Clustering::roots).toArray(double[][]::new);
         double[] distance = new double[w.length];
         Arrays.fill(distance, Double.POSITIVE_INFINITY);

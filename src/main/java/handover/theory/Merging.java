@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
  * Puts equal beliefs together: sorted along one fixed direction in log beta, along which equal beliefs are neighbours, so
  * that the cost is n log n and not n^2.
  */
-final class Merging {
+public final class Merging {
     /** The fractional parts of its multiples spread evenly, so that different beliefs rarely share a projection. */
     private static final double GOLDEN = 0.6180339887498949;
     /** Entries below this (no longer of full precision) count as equal. */
@@ -23,7 +23,7 @@ final class Merging {
      * Which of the beliefs are equal: a number for each, counted from 0 in the order of {@code points}' first occurrences
      * along the direction; not modified.
      */
-    static int[] groups(List<double[]> points) {
+    public static int[] groups(List<double[]> points) {
         double reach = 4 * points.get(0).length * Atoms.TOLERANCE;
         double[] place = points.stream().mapToDouble(Merging::projection).toArray();
         if (apart(place, reach)) {

@@ -119,7 +119,7 @@ final class BeliefRules {
         }
     }
 
-    /** Two acts ahead with few samples, the values are the same to the last bit with and without bounds. */
+    /** Three acts ahead with few samples, the values are the same to the last bit with and without bounds. */
     static void pruning(Walk walk) {
         State s = walk.start();
         HandoverBelief belief = HandoverBelief.initial(walk.domain);
@@ -128,8 +128,8 @@ final class BeliefRules {
             HandoverSearch mdp = new HandoverSearch(belief.scene());
             double[] pruned = new double[belief.scene().acts().size()];
             double[] whole = pruned.clone();
-            new SparseSampling<>(mdp, 2, true).values(mdp.root(belief), 2, 11, Deadline.NONE, pruned);
-            new SparseSampling<>(new Unbounded<>(mdp), 2, true).values(mdp.root(belief), 2, 11, Deadline.NONE, whole);
+            new SparseSampling<>(mdp, 1, true).values(mdp.root(belief), 3, 11, Deadline.NONE, pruned);
+            new SparseSampling<>(new Unbounded<>(mdp), 1, true).values(mdp.root(belief), 3, 11, Deadline.NONE, whole);
             for (int a = 0; a < whole.length; a++) {
                 assertEquals(whole[a], pruned[a], 0, "value of " + belief.scene().acts().get(a) + " at " + belief + ", " + belief.task());
             }

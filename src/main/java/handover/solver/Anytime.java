@@ -1,0 +1,62 @@
+package handover.solver;
+
+import handover.domain.HandoverDomain;
+import java.util.List;
+import java.util.random.RandomGenerator;
+import java.util.stream.IntStream;
+
+/**
+ * The anytime planner: {@link Racing} on the belief MDP, at depth 2 among all acts, then deeper among those that may still be
+ * the best. It can be stopped at any time; until then, time goes to the acts between which the choice is close.
+ *
+ * @param horizon H, acts that the last race looks ahead, at least 2
+ * @param draws C, observations drawn of each act in the last race, at least 8; each race before it draws twice as many
+ */
+public record Anytime(int horizon, int draws) implements Solver {
+    /** Observations drawn for each act below the root. */
+    private static final int WIDTH = 8;
+    /** Acts that are no worse than this stay for the next race, which sees further. */
+    private static final double SLACK = 0.3;
+    private static final int FEWEST_DRAWS = 8;
+
+    /** Throws {@link IllegalArgumentException} for a horizon below 2 or fewer than 8 draws. */
+    public Anytime {
+        if (horizon < 2 || draws < FEWEST_DRAWS) {
+            throw new IllegalArgumentException("anytime: expected H >= 2 and C >= " + FEWEST_DRAWS + ", got H=" + horizon + ", C=" + draws);
+        }
+    }
+
+    @Override
+    public String name() {
+        return "anytime:H=" + horizon + ",C=" + draws;
+    }
+
+    @Override
+    public Policy solve(HandoverDomain domain, RandomGenerator random) {
+        return new Searches(domain.start(), Raced::new);
+    }
+
+    private List<Racing.Race> races() {
+        return IntStream.rangeClosed(2, horizon).mapToObj(h -> new Racing.Race(h, WIDTH, draws << (horizon - h),
+                h == horizon ? 0 : SLACK)).toList();
+    }
+
+    private final class Raced<N> implements Searches.Search<N> {
+        private final BeliefMdp<N> mdp;
+        private final Racing<N> racing;
+
+        Raced(BeliefMdp<N> mdp, int acts) {
+            this.mdp = mdp;
+            racing = new Racing<>(mdp, races(), acts);
+        }
+
+        @Override
+        public Searches.Result search(N root, Deadline deadline, long seed, double[] q) {
+            long before = racing.nodes();
+            int best = racing.run(root, seed, deadline, q);
+            double upper = IntStream.range(0, q.length).mapToDouble(a -> mdp.bound(root, a)).max().orElseThrow();
+            Bounds bounds = upper == Double.POSITIVE_INFINITY ? null : new Bounds(Math.min(racing.lower(), upper), upper);
+            return new Searches.Result(best, racing.depth(), racing.nodes() - before, racing.finished(), bounds);
+        }
+    }
+}

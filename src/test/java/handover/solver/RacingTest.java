@@ -1,0 +1,77 @@
+package handover.solver;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import burlap.domain.singleagent.pomdp.tiger.TigerDomain;
+import burlap.mdp.singleagent.pomdp.PODomain;
+import handover.solver.Racing.Race;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Races on BURLAP's Tiger (0 open left, 1 open right, 2 listen), against weighing every observation. */
+class RacingTest {
+    private static final double GAMMA = 0.95;
+
+    private final PODomain tiger = (PODomain) new TigerDomain().generateDomain();
+    private final double[] q = new double[3];
+
+    private double[] exact(double p, int horizon) {
+        TabularSearch mdp = new TabularSearch(tiger, GAMMA, true);
+        double[] values = new double[3];
+        new SparseSampling<>(mdp, 1, false).values(mdp.belief(new double[] {p, 1 - p}), horizon, 0, Deadline.NONE, values);
+        return values;
+    }
+
+    private Racing<TabularSearch.Node> racing(TabularSearch mdp, Race... races) {
+        return new Racing<>(mdp, List.of(races), 3);
+    }
+
+    /**
+     * With 2,000 draws of two observations whose values differ by at most 20, the standard error is below 20 / 2 / sqrt(2,000)
+     * = 0.22 even without strata: off by 1 is more than four of them (odds below 1e-4), the rest being the bias of H = 3 at C = 50.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.5,2", "0.7,2", "0.85,2", "0.5,3", "0.85,3"})
+    void theWinnerAndItsValueAreThoseOfWeighingEverything(double p, int horizon) {
+        TabularSearch mdp = new TabularSearch(tiger, GAMMA, false);
+        double[] exact = exact(p, horizon);
+        int best = racing(mdp, new Race(horizon, 50, 2000, 1e9)).run(mdp.belief(new double[] {p, 1 - p}), 5, Deadline.NONE, q);
+        assertEquals(exact[best], Math.max(exact[0], Math.max(exact[1], exact[2])), 1e-9, "the winner is a best act");
+        assertEquals(exact[best], q[best], 1);
+    }
+
+    @Test
+    void actsThatFallBehindGetNoMoreDraws() {
+        TabularSearch mdp = new TabularSearch(tiger, GAMMA, false);
+        double[] sure = {0.99, 0.01};
+        Racing<TabularSearch.Node> raced = racing(mdp, new Race(2, 8, 1024, 0));
+        assertEquals(1, raced.run(mdp.belief(sure), 1, Deadline.NONE, q), "the tiger is on the left");
+        assertTrue(raced.finished());
+        Racing<TabularSearch.Node> all = racing(mdp, new Race(2, 8, 1024, 1e9));
+        all.run(mdp.belief(sure), 1, Deadline.NONE, q);
+        assertTrue(raced.nodes() < all.nodes() / 10, raced.nodes() + " of " + all.nodes());
+    }
+
+    @Test
+    void aRaceThatIsCutOffLeavesTheAnswerOfTheOneBefore() {
+        TabularSearch mdp = new TabularSearch(tiger, GAMMA, false);
+        Racing<TabularSearch.Node> racing = racing(mdp, new Race(2, 8, 64, 1e9), new Race(3, 8, 64, 1e9));
+        double[] b = {0.5, 0.5};
+        assertEquals(2, racing.run(mdp.belief(b), 1, () -> true, q));
+        assertEquals(1, racing.depth());
+        assertFalse(racing.finished());
+        AtomicInteger checks = new AtomicInteger();
+        int allowed = 3 * 64 + 30;
+        racing.run(mdp.belief(b), 1, () -> checks.incrementAndGet() > allowed, q);
+        assertEquals(2, racing.depth(), "three acts, 64 draws: the second race was stopped after less than a batch");
+        assertFalse(racing.finished());
+        double[] two = q.clone();
+        racing(mdp, new Race(2, 8, 64, 1e9)).run(mdp.belief(b), 1, Deadline.NONE, q);
+        assertEquals(q[2], two[2], 0);
+    }
+}
