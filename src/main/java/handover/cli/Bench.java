@@ -1,51 +1,65 @@
 package handover.cli;
 
-import handover.belief.HandoverBelief;
-import handover.domain.ActModel;
-import handover.domain.HandoverDomain;
-import handover.domain.HandoverModel;
-import handover.domain.HandoverObservationFunction;
-import handover.domain.HandoverState;
-import handover.io.DomainFiles;
-import handover.math.Simplex;
-import handover.math.Streams;
-import handover.solver.BurlapSparseSampling;
-import handover.solver.Deadline;
-import handover.solver.Policy;
-import handover.solver.Poss;
-import handover.solver.Solver;
-import java.util.ArrayList;
-import java.util.Arrays;
+import handover.io.BenchFile;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.Callable;
-import java.util.random.RandomGenerator;
+import java.util.function.LongSupplier;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** Measures how long decisions take, against BURLAP's own sparse sampling on the same beliefs and with the same tree. */
-@Command(name = "bench", description = "Measure decision times: POSS against BURLAP's BeliefSparseSampling, one thread, same beliefs.")
+/** Measures how fast decisions are, what they are worth, what they allocate and how they grow, in one run on the same beliefs. */
+@Command(name = "bench", sortOptions = false, description = {
+    "Measure decisions: times, returns with equal time, BURLAP's BeliefSparseSampling beside POSS, allocation, growth.",
+    "All on one thread; all solvers decide at the same beliefs, in turns. What is finished is kept when a run is stopped."})
 final class Bench implements Callable<Integer> {
-    @Option(names = "--domain", paramLabel = "NAME|FILE", defaultValue = "table-line-6",
-            description = "What is on the table (default: ${DEFAULT-VALUE}).")
-    private String domain;
+    private static final String WALL = "wall";
+    private static final String CPU = "cpu";
 
-    @Option(names = {"--horizon", "-H"}, defaultValue = "3", description = "Acts to look ahead (default: ${DEFAULT-VALUE}).")
-    private int horizon;
+    @Option(names = "--parts", split = ",", paramLabel = "PART", defaultValue = "time,return,allocation,growth",
+            description = "Of time, return, burlap, allocation, growth (default: ${DEFAULT-VALUE}; burlap takes minutes).")
+    private List<String> names;
 
-    @Option(names = {"--width", "-C"}, defaultValue = "5",
-            description = "Observations sampled for each act (default: ${DEFAULT-VALUE}).")
-    private int width;
+    @Option(names = "--out", paramLabel = "FILE", description = "Where all numbers go as JSON (default: nowhere).")
+    private Path out;
 
-    @Option(names = "--decisions", defaultValue = "200", description = "Measured decisions of POSS (default: ${DEFAULT-VALUE}).")
+    @Option(names = "--seconds", defaultValue = "0.4",
+            description = "For each solver in each place, after half of that to warm up (default: ${DEFAULT-VALUE}).")
+    private double seconds;
+
+    @Option(names = "--decisions", defaultValue = "500", description = "Of each solver in each place, at most (default: ${DEFAULT-VALUE}).")
     private int decisions;
 
-    @Option(names = "--burlap-decisions", defaultValue = "1",
-            description = "Measured decisions of BURLAP, 0 to leave it out (default: ${DEFAULT-VALUE}).")
-    private int burlapDecisions;
+    @Option(names = "--clock", defaultValue = "wall", description = "What times and limits are measured by: wall, or cpu for the time that the "
+            + "deciding thread is on a processor, which a busy machine does not change (default: ${DEFAULT-VALUE}).")
+    private String clock;
 
     @Option(names = "--seed", defaultValue = "1", description = "Which beliefs, and which luck (default: ${DEFAULT-VALUE}).")
     private long seed;
+
+    @Option(names = "--commit", paramLabel = "TEXT", defaultValue = "unknown", description = "Of which sources, for the file (default: ${DEFAULT-VALUE}).")
+    private String commit;
+
+    @Mixin
+    private final BenchTime time = new BenchTime();
+
+    @Mixin
+    private final BenchReturn returns = new BenchReturn();
+
+    @Mixin
+    private final BenchBurlap burlap = new BenchBurlap();
+
+    @Mixin
+    private final BenchAllocation allocation = new BenchAllocation();
+
+    @Mixin
+    private final BenchGrowth growth = new BenchGrowth();
 
     private final Console console;
 
@@ -54,78 +68,52 @@ final class Bench implements Callable<Integer> {
     }
 
     @Override
-    public Integer call() {
-        UsageException.checkAtLeast("--horizon", horizon, 1);
-        UsageException.checkAtLeast("--width", width, 1);
+    public Integer call() throws IOException, InterruptedException {
+        if (!(seconds > 0 && seconds <= 3600)) {
+            throw new UsageException("--seconds: expected seconds above 0, at most 3600, got " + seconds);
+        }
         UsageException.checkAtLeast("--decisions", decisions, 1);
-        UsageException.checkAtLeast("--burlap-decisions", burlapDecisions, 0);
-        HandoverDomain on = DomainFiles.load(domain);
-        List<HandoverBelief> beliefs = beliefs(on);
-        console.out().printf(Locale.ROOT, "%s: %d objects, %d acts, H=%d, C=%d; beliefs from random episodes, one thread%n%n",
-                on.spec().name(), on.start().size(), on.start().acts().size(), horizon, width);
-        TextTable table = new TextTable(40, List.of("solver", "decisions", "median ms", "p90 ms", "p99 ms", "beliefs/decision"));
-        double[] fast = measure(table, new Poss(horizon, width, true), on, beliefs, decisions, decisions);
-        measure(table, new Poss(horizon, width, false), on, beliefs, decisions, decisions);
-        double[] slow = burlapDecisions == 0 ? null
-                : measure(table, new BurlapSparseSampling(horizon, width), on, beliefs, 0, burlapDecisions);
-        console.out().print(table.text());
-        if (slow != null) {
-            console.out().printf(Locale.ROOT, "%nBURLAP's median is %.0f times that of POSS.%n", slow[0] / fast[0]);
+        if (!clock.equals(WALL) && !clock.equals(CPU) || clock.equals(CPU) && ThreadMeter.nanos(-1) < 0) {
+            throw new UsageException("--clock: expected wall or cpu (if this Java can tell), got \"" + clock + "\"");
+        }
+        List<BenchPart> parts = names.stream().map(this::part).toList();
+        parts.forEach(BenchPart::check);
+        Map<String, Object> head = head();
+        console.out().print(introduction(head));
+        BenchReport report = new BenchReport(out == null ? null : new BenchFile(out), head);
+        LongSupplier nanos = clock.equals(CPU) ? () -> ThreadMeter.nanos(0) : console.nanoClock();
+        BenchRun run = new BenchRun(console, report, nanos, seconds, decisions, seed);
+        for (BenchPart part : parts) {
+            console.out().print("## " + part.name() + "\n\n" + part.run(run) + "\n");
+            console.out().flush();
+            report.finish(part.name());
         }
         return Main.FINE;
     }
 
-    /** Beliefs before the decisions of random episodes. */
-    private List<HandoverBelief> beliefs(HandoverDomain on) {
-        RandomGenerator random = Streams.of(seed, "bench", 0);
-        HandoverModel model = new HandoverModel(on, random);
-        HandoverObservationFunction senses = new HandoverObservationFunction(on, random);
-        List<HandoverBelief> all = new ArrayList<>();
-        while (all.size() < decisions) {
-            double[] prior = on.prior(on.start());
-            String wanted = on.start().objects().get(Simplex.sample(prior, prior.length, random)).name();
-            HandoverState state = on.initialState(wanted);
-            HandoverBelief belief = HandoverBelief.initial(on);
-            while (!belief.task().done() && all.size() < decisions) {
-                all.add(belief);
-                List<ActModel> quiet = belief.task().legalActs().stream().filter(m -> !m.isPick()).toList();
-                ActModel act = quiet.get(random.nextInt(quiet.size()));
-                state = (HandoverState) model.sample(state, act.act()).op;
-                belief = belief.after(act.act()).given(senses.sample(state, act.act()));
-                if (belief.probabilities()[state.wanted()] > 0.95) {
-                    break;
-                }
-            }
-        }
-        return all;
+    private String introduction(Map<String, Object> head) {
+        Map<?, ?> machine = (Map<?, ?>) head.get("machine");
+        return head.get("date") + ", " + machine.get("processor") + ", " + machine.get("cores") + " cores, " + machine.get("java")
+                + (clock.equals(CPU) ? "; all times on the processor" : "") + "\n\n";
     }
 
-    /** Adds a row and gives median, p90 and p99 in milliseconds, after {@code warmUp} decisions that are not counted. */
-    private double[] measure(TextTable table, Solver solver, HandoverDomain on, List<HandoverBelief> beliefs, int warmUp,
-            int counted) {
-        Policy policy = solver.solve(on, Streams.of(seed, "solve", 0));
-        double[] ms = new double[counted];
-        long nodes = 0;
-        for (int k = -warmUp; k < counted; k++) {
-            HandoverBelief belief = beliefs.get(Math.floorMod(k, beliefs.size()));
-            long before = console.nanoClock().getAsLong();
-            long visited = policy.decide(belief, Deadline.NONE, Streams.of(seed, "planner", k)).nodes();
-            if (k >= 0) {
-                ms[k] = (console.nanoClock().getAsLong() - before) / 1e6;
-                nodes += visited;
-            }
-        }
-        Arrays.sort(ms);
-        double[] p = {rank(ms, 0.5), rank(ms, 0.9), rank(ms, 0.99)};
-        table.add(List.of(solver.name(), String.valueOf(counted), show(p[0]), show(p[1]), show(p[2]), String.valueOf(nodes / counted)));
-        return p;
+    private BenchPart part(String name) {
+        List<BenchPart> all = List.of(time, returns, burlap, allocation, growth);
+        return all.stream().filter(p -> p.name().equals(name)).findFirst().orElseThrow(() -> new UsageException("--parts: expected some of "
+                + String.join(", ", all.stream().map(BenchPart::name).toList()) + ", got \"" + name + "\""));
     }
 
-    private static double rank(double[] sorted, double p) {
-        return sorted[(int) Math.max(0, Math.ceil(p * sorted.length) - 1)];
-    }
-
-    private static String show(double ms) {
-        return String.format(Locale.ROOT, "%.2f", ms);
+    private Map<String, Object> head() {
+        Map<String, Object> head = new LinkedHashMap<>();
+        head.put("format", "handover-bench");
+        head.put("version", 1);
+        head.put("date", Instant.now().truncatedTo(ChronoUnit.SECONDS).toString());
+        head.put("commit", commit);
+        head.put("machine", Machine.describe());
+        head.put("clock", clock);
+        head.put("seconds", seconds);
+        head.put("decisions", decisions);
+        head.put("seed", seed);
+        return head;
     }
 }

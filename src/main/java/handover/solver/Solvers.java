@@ -16,16 +16,27 @@ public final class Solvers {
             new Entry("poss", "looks H=3 acts ahead with C=10 samples; leaf=policy or zero",
                     List.of("H", "C", "leaf"), p -> new Poss(p.count("H", 3, 100), p.count("C", 10, 1_000_000),
                             p.choice("leaf", "policy", "zero").equals("policy"))),
+            new Entry("anytime", "races the acts: all 2 acts ahead, the best of them H=3 acts ahead with C=128 draws; for deadlines",
+                    List.of("H", "C"), p -> new Anytime(p.count("H", 3, 10), p.count("C", 128, 100_000))),
             new Entry("threshold", "waits until one object has probability p=0.9, then hands it over",
                     List.of("p"), p -> new Threshold(p.probability("p", 0.9))),
             new Entry("confirm", "asks about the likeliest object until yes, then hands it over",
                     List.of(), p -> new Confirm()),
-            new Entry("burlap", "BURLAP's own sparse sampling, H=2 acts ahead with C=5 samples: slow",
+            new Entry("heuristic", "hands over when sure, points at the likeliest if that is likelier than chance, else waits",
+                    List.of(), p -> new Heuristic()),
+            new Entry("greedy", "hands over when sure, else makes the person expect what it believes; whatever that costs",
+                    List.of(), p -> new Greedy()),
+            new Entry("qmdp", "does what would be best if it were told after one step what is wanted",
+                    List.of(), p -> new Qmdp()),
+            new Entry("burlap", "BURLAP's own BeliefSparseSampling, H=2 acts ahead with C=5 samples: slow; also burlap:bss",
                     List.of("H", "C"), p -> new BurlapSparseSampling(p.count("H", 2, 100), p.count("C", 5, 1_000_000))),
-            new Entry("random", "any act, each as likely as the other: the floor",
+            new Entry("random", "any act, each as likely as the other, but a pick is finished: the floor",
                     List.of(), p -> new RandomActs()),
             new Entry("clairvoyant", "is told what the person wants: the ceiling",
                     List.of(), p -> new Clairvoyant()));
+
+    /** Another name of BURLAP's planner. */
+    private static final String BURLAP_BSS = "burlap:bss";
 
     /** A specification that names no solver, or one with parameters that it cannot have. */
     public static final class BadSolverException extends IllegalArgumentException {
@@ -61,7 +72,7 @@ public final class Solvers {
         String name = spec.split(":", 2)[0];
         for (Entry entry : ALL) {
             if (entry.name.equals(name)) {
-                return make(s -> entry.make.apply(Parameters.of(entry, s)), spec);
+                return make(s -> entry.make.apply(Parameters.of(entry, s)), usual(spec));
             }
         }
         for (SolverProvider provider : ServiceLoader.load(SolverProvider.class, Solvers.class.getClassLoader())) {
@@ -74,6 +85,10 @@ public final class Solvers {
         }
         throw new BadSolverException(spec, "expected one of " + String.join(", ", names())
                 + ", or the full name of a class that implements " + Solver.class.getName(), null);
+    }
+
+    private static String usual(String spec) {
+        return spec.equals(BURLAP_BSS) ? "burlap" : spec.replaceFirst("^" + BURLAP_BSS + ",", "burlap:");
     }
 
     private static Solver make(Function<String, Solver> maker, String spec) {

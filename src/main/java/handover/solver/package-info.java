@@ -22,5 +22,17 @@
  * apart probabilities near certainty, where it is decided whether a pick is worth the risk, and it is Euclidean in square
  * roots, so that a k-d tree with bounding boxes finds exact neighbours. What does not match in the task, or in the hash of the
  * objects on the table, is not a neighbour at any distance.
+ *
+ * <p>2026-11-22, baselines. The rule of thumb and the greedy communicator hand over by the same rule, so that they differ in how
+ * they communicate alone. "The expected pick value exceeds R+ discounted" is read as p R+ + (1 - p) R- &gt; gamma R+: better than to
+ * be told within a step and to be right then. Rejected: to count the price of a pick, which both sides pay. QMDP knows what is wanted
+ * from the next act on and then reaches for it, through all increments; with a wish that may move it follows it, which is exact
+ * for the shipped kinds of picks but for people's reading of an increment that stalls. A random robot finishes a pick that it began,
+ * or increments would make it harmless.
+ *
+ * <p>2026-11-22, a search of its own for minds. {@link handover.solver.NestedSearch} wraps the plain search, which keeps its speed,
+ * and takes from it everything but the minds: picks, leaves, evidence. It draws the same numbers in the same order, so that with one
+ * mind it is the plain search, which a test checks. It has no bounds. Leaves see E[beta], because simple policies do not depend on
+ * the human's belief but by the small match reward.
  */
 package handover.solver;

@@ -4,9 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import handover.solver.BurlapSparseSampling;
 import handover.solver.Clairvoyant;
 import handover.solver.Confirm;
+import handover.solver.Greedy;
+import handover.solver.Heuristic;
 import handover.solver.Poss;
+import handover.solver.Qmdp;
 import handover.solver.RandomActs;
 import handover.solver.Solver;
 import handover.solver.Solvers;
@@ -29,6 +33,12 @@ class SolversTest {
         assertEquals(new Confirm(), Solvers.parse("confirm"));
         assertEquals(new RandomActs(), Solvers.parse("random"));
         assertEquals(new Clairvoyant(), Solvers.parse("clairvoyant"));
+        assertEquals(new Heuristic(), Solvers.parse("heuristic"));
+        assertEquals(new Greedy(), Solvers.parse("greedy"));
+        assertEquals(new Qmdp(), Solvers.parse("qmdp"));
+        assertEquals(new BurlapSparseSampling(2, 5), Solvers.parse("burlap:bss"));
+        assertEquals(new BurlapSparseSampling(3, 4), Solvers.parse("burlap:bss,C=4,H=3"));
+        assertEquals(new BurlapSparseSampling(3, 5), Solvers.parse("burlap:H=3"));
         assertEquals(new Confirm(), Solvers.parse("handover.solver.Confirm"));
     }
 
@@ -45,9 +55,9 @@ class SolversTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-            possum | expected one of poss, threshold, confirm, burlap, random, clairvoyant, or the full name of a class that \
+            possum | expected one of poss, anytime, threshold, confirm, heuristic, greedy, qmdp, burlap, random, clairvoyant, or the full name of a class that \
             implements handover.solver.Solver
-            `` | expected one of poss, threshold, confirm, burlap, random, clairvoyant, or the full name of a class that \
+            `` | expected one of poss, anytime, threshold, confirm, heuristic, greedy, qmdp, burlap, random, clairvoyant, or the full name of a class that \
             implements handover.solver.Solver
             poss: | expected key=value with keys from H, C, leaf, got nothing after the colon
             poss:H | expected key=value with keys from H, C, leaf, got "H"

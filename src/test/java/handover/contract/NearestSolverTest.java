@@ -30,7 +30,7 @@ class NearestSolverTest {
         }
     }
 
-    /** A policy file for one domain; its name is a file, which other solvers' names have none of. */
+    /** A policy file for one domain. */
     private abstract static class Precomputed extends SolverContract {
         private final String domain;
 
@@ -48,9 +48,8 @@ class NearestSolverTest {
             return List.of(domain);
         }
 
-        @Override
         @Test
-        void theNameIsWrittenAsOnTheCommandLine() {
+        void itIsFoundUnderItsName() {
             assertEquals(solver(), Solvers.parse(solver().name()));
         }
     }

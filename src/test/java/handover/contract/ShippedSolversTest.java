@@ -1,9 +1,13 @@
 package handover.contract;
 
+import handover.solver.Anytime;
 import handover.solver.BurlapSparseSampling;
 import handover.solver.Clairvoyant;
 import handover.solver.Confirm;
+import handover.solver.Greedy;
+import handover.solver.Heuristic;
 import handover.solver.Poss;
+import handover.solver.Qmdp;
 import handover.solver.RandomActs;
 import handover.solver.Solver;
 import handover.solver.Threshold;
@@ -29,12 +33,19 @@ class ShippedSolversTest {
     }
 
     @Nested
+    class Raced extends SolverContract {
+        @Override
+        protected Solver solver() {
+            return new Anytime(3, 8);
+        }
+    }
+
+    @Nested
     class Burlap extends SolverContract {
         @Override
         protected Solver solver() {
             return new BurlapSparseSampling(1, 2);
         }
-
     }
 
     @Nested
@@ -50,6 +61,30 @@ class ShippedSolversTest {
         @Override
         protected Solver solver() {
             return new Confirm();
+        }
+    }
+
+    @Nested
+    class RuleOfThumb extends SolverContract {
+        @Override
+        protected Solver solver() {
+            return new Heuristic();
+        }
+    }
+
+    @Nested
+    class GreedyCommunicator extends SolverContract {
+        @Override
+        protected Solver solver() {
+            return new Greedy();
+        }
+    }
+
+    @Nested
+    class KnownAfterOneStep extends SolverContract {
+        @Override
+        protected Solver solver() {
+            return new Qmdp();
         }
     }
 

@@ -1,0 +1,2 @@
+/** Micro-benchmarks, run by {@code scripts/jmh} and never by the tests. */
+package handover.benchmark;
