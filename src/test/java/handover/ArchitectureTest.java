@@ -28,7 +28,7 @@ class ArchitectureTest {
             "math", List.of(),
             "theory", List.of("math"),
             "domain", List.of("math"),
-            "belief", List.of("domain", "math"),
+            "belief", List.of("domain", "theory", "math"),
             "solver", List.of("belief", "domain", "math"),
             "simulation", List.of("solver", "belief", "domain", "math"),
             "io", List.of("simulation", "solver", "belief", "domain", "math"),

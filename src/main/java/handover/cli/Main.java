@@ -1,5 +1,6 @@
 package handover.cli;
 
+import handover.bridge.BridgeException;
 import handover.io.DomainFileException;
 import handover.io.EpisodeLogException;
 import handover.io.PolicyFileException;
@@ -70,10 +71,12 @@ public final class Main implements Runnable {
                 .addSubcommand(new Check(console))
                 .addSubcommand(new Replay(console))
                 .addSubcommand(new Infer(console))
+                .addSubcommand(new CommandLine(new BridgeCommand(console)).addSubcommand(new BridgeKeygen(console)))
                 .addSubcommand(new Bench(console))
                 .addSubcommand(new Precompute(console))
                 .addSubcommand(new CommandLine(new Analyze()).addSubcommand(new AnalyzeReward(console))
-                        .addSubcommand(new AnalyzeCancels(console)).addSubcommand(new AnalyzeNearest(console)));
+                        .addSubcommand(new AnalyzeCancels(console)).addSubcommand(new AnalyzeNearest(console))
+                        .addSubcommand(new AnalyzeNested(console)));
         line.setOut(new PrintWriter(console.out(), true)).setErr(new PrintWriter(console.err(), true));
         line.setExpandAtFiles(false);
         line.setColorScheme(CommandLine.Help.defaultColorScheme(console.live() ? Ansi.AUTO : Ansi.OFF));
@@ -85,7 +88,7 @@ public final class Main implements Runnable {
     /** Only called if there is a command line, but no command in it. */
     @Override
     public void run() {
-        throw new UsageException("expected a command: simulate, plan, check, replay, infer, bench, precompute, analyze; see handover --help");
+        throw new UsageException("expected a command: simulate, plan, check, replay, infer, bridge, bench, precompute, analyze; see handover --help");
     }
 
     private int refuse(CommandLine.ParameterException e) {
@@ -97,7 +100,7 @@ public final class Main implements Runnable {
 
     private int fail(Exception e) {
         Throwable cause = e instanceof UncheckedIOException ? e.getCause() : e;
-        boolean input = cause instanceof UsageException || cause instanceof DomainFileException
+        boolean input = cause instanceof UsageException || cause instanceof BridgeException || cause instanceof DomainFileException
                 || cause instanceof EpisodeLogException || cause instanceof PolicyFileException || cause instanceof Solvers.BadSolverException;
         if (input) {
             return complain(e, BAD_INPUT, cause.getMessage());

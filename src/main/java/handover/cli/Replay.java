@@ -1,9 +1,11 @@
 package handover.cli;
 
 import handover.belief.HandoverBelief;
+import handover.bridge.Recovery;
 import handover.domain.TableObject;
 import handover.io.EpisodeLogReader;
 import handover.io.LoggedEpisode;
+import handover.io.SessionLogReader;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -14,7 +16,7 @@ import picocli.CommandLine.Parameters;
 /** Computes the beliefs of a log again from its acts and observations, and compares them bit for bit. */
 @Command(name = "replay", description = "Compute the beliefs of a log again from what was done and sensed, and compare.")
 final class Replay implements Callable<Integer> {
-    @Parameters(paramLabel = "LOG", description = "A log of handover simulate.")
+    @Parameters(paramLabel = "LOG", description = "A log of handover simulate or bridge.")
     private Path file;
 
     private final Console console;
@@ -25,6 +27,27 @@ final class Replay implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
+        return SessionLogReader.looksLikeLog(file) ? session() : simulation();
+    }
+
+    /** Of a bridge. */
+    private Integer session() throws IOException {
+        try (SessionLogReader log = SessionLogReader.open(file)) {
+            Recovery recovery = Recovery.of(log);
+            if (recovery.difference() != null) {
+                console.err().println("handover: " + file + ": " + recovery.difference());
+                return Main.DIFFERENT;
+            }
+            if (log.torn()) {
+                console.err().println("handover: " + file + ": the last line is torn and was skipped");
+            }
+            console.out().println(recovery.session().now().episode() + " episodes with " + recovery.messages()
+                    + " messages agree");
+        }
+        return Main.FINE;
+    }
+
+    private Integer simulation() throws IOException {
         int episodes = 0;
         long steps = 0;
         try (EpisodeLogReader log = EpisodeLogReader.open(file)) {

@@ -66,7 +66,8 @@ final class ResultTables {
         return LEGEND;
     }
 
-    private static String cell(Estimate e, int decimals) {
+    /** An estimate and the longer arm of its interval. */
+    static String cell(Estimate e, int decimals) {
         double longerArm = Math.max(e.value() - e.low(), e.high() - e.value());
         String half = Double.isInfinite(longerArm) ? "?" : format("%." + decimals + "f", longerArm);
         return format("%." + decimals + "f", e.value()) + "+-" + half;
@@ -78,7 +79,7 @@ final class ResultTables {
     }
 
     /** Without a sign before what rounds to zero. */
-    private static String format(String format, Object... values) {
+    static String format(String format, Object... values) {
         return String.format(Locale.ROOT, format, values).replaceAll("[-+](0\\.0+)(?![0-9])", "$1");
     }
 }

@@ -18,6 +18,7 @@ import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** Plays episodes with simulated people and says what each solver was worth. */
@@ -62,6 +63,9 @@ final class Simulate implements Callable<Integer> {
             description = "Acts at which an episode is cut off (default: ${DEFAULT-VALUE}).")
     private int maxSteps;
 
+    @Mixin
+    private TimedOptions time;
+
     private final Console console;
 
     Simulate(Console console) {
@@ -79,6 +83,9 @@ final class Simulate implements Callable<Integer> {
         DomainSpec people = human == null ? spec : DomainFiles.readHuman(spec, human);
         RunHeader header = new RunHeader(spec, people, seed, players.stream().map(Solver::name).toList(), episodes, maxSteps,
                 deadlineMs);
+        if (time.timed()) {
+            return playTimed(header, players);
+        }
         Run run = new Run(header);
         try (EpisodeLogWriter log = log(header, run)) {
             console.out().print(introduction(header));
@@ -90,6 +97,15 @@ final class Simulate implements Callable<Integer> {
             }
         }
         report(players, run);
+        return Main.FINE;
+    }
+
+    private int playTimed(RunHeader header, List<Solver> players) throws InterruptedException {
+        time.refuseLog(out, NO_LOG);
+        TimedSimulation simulation = new TimedSimulation(header, players, time.agents(), time.timing(), console);
+        console.out().print(introduction(header) + time.introduction() + "\n");
+        simulation.play(threads);
+        console.out().print(simulation.report());
         return Main.FINE;
     }
 

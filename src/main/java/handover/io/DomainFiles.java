@@ -33,10 +33,15 @@ public final class DomainFiles {
      * Reads a domain.
      *
      * @param nameOrPath a file, or the name of a domain in the folder {@code domains} of the working directory or among
-     *     those that come with the toolkit, for instance {@code bowls-and-spoons}
+     *     those that come with the toolkit, for instance {@code bowls-and-spoons}, or {@code generated-N} or
+     *     {@code generated-N-VARIANT} for a made-up table of N objects
      * @throws DomainFileException if there is no such domain, or with the place in the file that cannot be meant
      */
     public static DomainSpec read(String nameOrPath) {
+        DomainSpec generated = GeneratedDomains.named(nameOrPath);
+        if (generated != null) {
+            return generated;
+        }
         DomainSource source = DomainSource.find(nameOrPath);
         return fromJson(JsonText.parse(source.bytes(), source.name()), source.name());
     }
@@ -69,6 +74,8 @@ public final class DomainFiles {
                 file.key("acts").key(act.getKey())));
         ObjectNode whole = Overlay.merge(defaults, user);
         whole.path("objects").forEach(DomainFiles::addDefaultLabel);
+        FrameForms.unify(whole.path("frames"), file.key("frames"));
+        whole.path("adapters").forEach(DomainFiles::addDefaultMaps);
         SHAPE.check(whole, DomainSpec.class, file);
         return RecordMapper.bind(whole, DomainSpec.class, file);
     }
@@ -81,10 +88,10 @@ public final class DomainFiles {
         return RecordMapper.tree(spec);
     }
 
-    /** 16 hexadecimal digits that differ if anything but the description differs. */
+    /** 16 hexadecimal digits that differ if anything but the description and what is said of sensors differs. */
     public static String hash(DomainSpec spec) {
         ObjectNode content = toJson(spec);
-        content.remove("description");
+        content.remove(List.of("description", "frames", "adapters"));
         try {
             byte[] digest = MessageDigest.getInstance("SHA-256")
                     .digest(RecordMapper.canonical(content).getBytes(StandardCharsets.UTF_8));
@@ -117,9 +124,20 @@ public final class DomainFiles {
     }
 
     /** An empty label means the default, which is made from the name. */
-    private static void addDefaultLabel(JsonNode object) {
+    static void addDefaultLabel(JsonNode object) {
         if (object instanceof ObjectNode fields && !fields.has("label")) {
             fields.put("label", "");
+        }
+    }
+
+    /** An adapter need not rename or fix any field. */
+    private static void addDefaultMaps(JsonNode adapter) {
+        if (adapter instanceof ObjectNode fields) {
+            for (String key : List.of("fields", "values")) {
+                if (!fields.has(key)) {
+                    fields.putObject(key);
+                }
+            }
         }
     }
 

@@ -6,7 +6,6 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Arrays;
 
@@ -15,40 +14,23 @@ import java.util.Arrays;
  * out; anything else that is wrong is an {@link EpisodeLogException} with the line. Used by one thread.
  */
 public final class EpisodeLogReader implements Closeable {
-    private static final int LONGEST_LINE = 1 << 28;
     private static final String BEGINNING = "{\"format\":\"" + RunHeader.FORMAT + "\"";
 
-    private final String file;
-    private final LineReader lines;
+    private final LogLines lines;
     private final RunHeader header;
     private final HandoverDomain domain;
-    private int number;
-    private long end;
-    private boolean torn;
 
-    private EpisodeLogReader(String file, LineReader lines) throws IOException {
-        this.file = file;
+    private EpisodeLogReader(LogLines lines) throws IOException {
         this.lines = lines;
-        JsonNode first = nextTree();
-        if (first == null) {
-            throw new EpisodeLogException(this.file, 0, "expected an episode log, got "
-                    + (torn ? "no complete line" : "an empty file"), null);
-        }
-        this.header = header(first);
+        this.header = header(lines.first("an episode log"));
         this.domain = DomainFiles.domain(header.domain());
     }
 
     /** Opens a log and reads its header. Throws {@link EpisodeLogException} if it is not one. */
     public static EpisodeLogReader open(Path file) throws IOException {
-        if (Files.isDirectory(file)) {
-            throw new EpisodeLogException(file.toString(), 0, "is a directory, not a file", null);
-        }
-        LineReader lines = null;
+        LogLines lines = new LogLines(file);
         try {
-            lines = new LineReader(Files.newInputStream(file), LONGEST_LINE);
-            return new EpisodeLogReader(file.toString(), lines);
-        } catch (NoSuchFileException e) {
-            throw new EpisodeLogException(file.toString(), 0, "there is no such file", e);
+            return new EpisodeLogReader(lines);
         } catch (RuntimeException e) {
             lines.close();
             throw e;
@@ -83,59 +65,37 @@ public final class EpisodeLogReader implements Closeable {
 
     /** The next episode; null at the end. */
     public LoggedEpisode next() throws IOException {
-        JsonNode tree = nextTree();
+        JsonNode tree = lines.next();
         try {
             return tree == null ? null : EpisodeJson.episode(tree, domain.vocabulary());
         } catch (FieldException e) {
-            throw wrong(e);
+            throw lines.wrong(e);
         }
     }
 
     /** An exception about the line that was read last. */
     public EpisodeLogException wrong(String problem) {
-        return new EpisodeLogException(file, number, problem, null);
+        return lines.wrong(problem);
     }
 
     /** Whether the last line was torn; known once {@link #next} has given null. */
     public boolean torn() {
-        return torn;
+        return lines.torn();
     }
 
     /** How many bytes there are up to the end of the line that was read last. */
     public long end() {
-        return end;
-    }
-
-    private JsonNode nextTree() throws IOException {
-        LineReader.Line line = lines.next();
-        torn = line != null && !line.ended();
-        if (line == null || torn) {
-            return null;
-        }
-        number++;
-        end = line.end();
-        try {
-            return JsonText.parse(line.content(), file + ": line " + number);
-        } catch (DomainFileException e) {
-            String problem = e.getMessage().substring(e.file().length() + 2).replaceFirst("^line 1, ", "");
-            throw new EpisodeLogException(file, number, problem, e);
-        }
+        return lines.end();
     }
 
     private RunHeader header(JsonNode first) {
         try {
-            return RunHeader.of(first, file + ": line " + number);
+            return RunHeader.of(first, lines.place());
         } catch (FieldException e) {
-            throw wrong(e);
+            throw lines.wrong(e);
         } catch (DomainFileException e) {
-            throw new EpisodeLogException(file, number, e.getMessage().substring((file + ": line " + number + ": ").length()),
-                    e);
+            throw lines.wrong(e);
         }
-    }
-
-    private EpisodeLogException wrong(FieldException e) {
-        return new EpisodeLogException(file, number, e.path().isEmpty() ? e.getMessage() : e.path() + ": " + e.getMessage(),
-                e);
     }
 
     @Override

@@ -56,4 +56,12 @@ final class Json {
         }
         return tree;
     }
+
+    /** The objects of a scene with where they are. */
+    static ArrayNode scene(Scene scene) {
+        ArrayNode list = JsonNodeFactory.instance.arrayNode();
+        scene.objects().forEach(o -> list.addObject().put("name", o.name()).put("label", o.label())
+                .set("position", list(o.position())));
+        return list;
+    }
 }

@@ -19,14 +19,20 @@ final class JsonText {
     static final int DEEPEST = 50;
     private static final String BYTE_ORDER_MARK = "\uFEFF";
     /** NaN and Infinity are let through to {@link FiniteNumbers}, which says where they are. */
-    private static final JsonMapper MAPPER = JsonMapper
-            .builder(JsonFactory.builder().streamReadConstraints(
-                    StreamReadConstraints.builder().maxNestingDepth(DEEPEST).build()).build())
-            .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)
-            .enable(DeserializationFeature.FAIL_ON_READING_DUP_TREE_KEY)
-            .build();
+    private static final JsonMapper MAPPER = mapper(DEEPEST);
+    /** A line of a log may hold a message of the largest depth. */
+    private static final JsonMapper LOG_MAPPER = mapper(DEEPEST + 2);
 
     private JsonText() {}
+
+    private static JsonMapper mapper(int deepest) {
+        return JsonMapper
+                .builder(JsonFactory.builder().streamReadConstraints(
+                        StreamReadConstraints.builder().maxNestingDepth(deepest).build()).build())
+                .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)
+                .enable(DeserializationFeature.FAIL_ON_READING_DUP_TREE_KEY)
+                .build();
+    }
 
     /**
      * The one JSON value that a file holds; a byte order mark before it is skipped.
@@ -35,17 +41,25 @@ final class JsonText {
      * @throws DomainFileException with line and column, or with the path of a bad number or of a key given twice
      */
     static JsonNode parse(byte[] bytes, String file) {
-        String text = decode(bytes, file);
-        try (JsonParser parser = new FiniteNumbers(MAPPER.createParser(text), file)) {
-            return parse(parser, text, file);
+        return parse(MAPPER, decode(bytes, file), file);
+    }
+
+    /** The same of a line of a log. */
+    static JsonNode parseLog(byte[] bytes, String file) {
+        return parse(LOG_MAPPER, decode(bytes, file), file);
+    }
+
+    private static JsonNode parse(JsonMapper mapper, String text, String file) {
+        try (JsonParser parser = new FiniteNumbers(mapper.createParser(text), file)) {
+            return parse(mapper, parser, text, file);
         } catch (IOException e) {
             throw new UncheckedIOException("reading from memory cannot fail", e);
         }
     }
 
-    private static JsonNode parse(JsonParser parser, String text, String file) throws IOException {
+    private static JsonNode parse(JsonMapper mapper, JsonParser parser, String text, String file) throws IOException {
         try {
-            JsonNode tree = MAPPER.readTree(parser);
+            JsonNode tree = mapper.readTree(parser);
             if (tree == null) {
                 throw Place.of(file).error("the file is empty");
             }
@@ -58,7 +72,7 @@ final class JsonText {
         }
     }
 
-    private static String decode(byte[] bytes, String file) {
+    static String decode(byte[] bytes, String file) {
         try {
             String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
             return text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text;

@@ -14,17 +14,30 @@ public final class Messages {
     /** A message may have so many bytes. */
     public static final int LARGEST = 1 << 20;
 
-    private static final int VERSION = 1;
+    static final int VERSION = 1;
     /** Later than this are milliseconds taken for seconds. */
     private static final double LATEST = 1e11;
     private static final double ROUNDING = 1e-6;
+    private static final double LONGEST_DEADLINE = 3_600_000;
+    /** An id or the name of a source may have so many characters. */
+    private static final int LONGEST_NAME = 200;
     private static final Map<String, BiFunction<WireMessage.Envelope, Fields, WireMessage>> TYPES = new LinkedHashMap<>();
 
+    private static final Map<Class<? extends WireMessage>, String> NAMES = Map.of(
+            WireMessage.Hello.class, "hello", WireMessage.Begin.class, "begin", WireMessage.Decide.class, "decide",
+            WireMessage.Acted.class, "acted", WireMessage.Heard.class, "speech", WireMessage.Pointed.class, "gesture",
+            WireMessage.SceneChange.class, "scene", WireMessage.State.class, "state", WireMessage.End.class, "end");
+
     static {
-        TYPES.put("begin", (e, f) -> new WireMessage.Begin(e, prior(f)));
+        TYPES.put("hello", (e, f) -> new WireMessage.Hello(e));
+        TYPES.put("begin", (e, f) -> new WireMessage.Begin(e, prior(f),
+                f.has("seed") ? f.whole("seed", Long.MIN_VALUE, Long.MAX_VALUE) : null));
+        TYPES.put("decide", (e, f) -> new WireMessage.Decide(e,
+                f.has("deadline_ms") ? f.number("deadline_ms", 0, LONGEST_DEADLINE, "milliseconds") : null));
         TYPES.put("acted", Messages::acted);
         TYPES.put("speech", Messages::speech);
         TYPES.put("gesture", GestureFields::read);
+        TYPES.put("scene", SceneFields::read);
         TYPES.put("state", (e, f) -> new WireMessage.State(e));
         TYPES.put("end", (e, f) -> new WireMessage.End(e));
     }
@@ -38,10 +51,11 @@ public final class Messages {
      * @throws WireException if they are anything else; it carries the message's id where that could be read
      */
     public static WireMessage decode(byte[] bytes) {
-        if (bytes.length > LARGEST) {
-            throw tooLarge();
-        }
-        JsonNode tree = parse(bytes);
+        return decode(parse(bytes));
+    }
+
+    /** The same of a tree. */
+    static WireMessage decode(JsonNode tree) {
         if (!tree.isObject()) {
             throw new WireException(WireCode.NOT_JSON, "", "expected an object {...}, got " + Place.shown(tree.toString()));
         }
@@ -56,12 +70,21 @@ public final class Messages {
         }
     }
 
+    /** How a message names its type. */
+    static String type(WireMessage message) {
+        return NAMES.get(message.getClass());
+    }
+
     /** What is said of a message of more than {@link #LARGEST} bytes. */
     public static WireException tooLarge() {
         return new WireException(WireCode.TOO_LARGE, "", "expected at most 1 MiB");
     }
 
-    private static JsonNode parse(byte[] bytes) {
+    /** Throws {@link WireException} for what is too large or not JSON. */
+    static JsonNode parse(byte[] bytes) {
+        if (bytes.length > LARGEST) {
+            throw tooLarge();
+        }
         try {
             return JsonText.parse(bytes, "message");
         } catch (DomainFileException e) {
@@ -79,10 +102,19 @@ public final class Messages {
                     f.wrong("type", "one of " + String.join(", ", TYPES.keySet())).getMessage());
         }
         String type = f.text("type");
-        String source = f.textOrNull("source");
-        WireMessage.Envelope envelope = new WireMessage.Envelope(f.textOrNull("id"), source == null ? "" : source,
+        String source = name(f, "source");
+        WireMessage.Envelope envelope = new WireMessage.Envelope(name(f, "id"), source == null ? "" : source,
                 f.has("t") ? f.number("t", 0, LATEST, "Unix seconds") : null);
         return TYPES.get(type).apply(envelope, f);
+    }
+
+    /** A short text, or null if it is missing. */
+    private static String name(Fields f, String key) {
+        String name = f.textOrNull(key);
+        if (name != null && name.length() > LONGEST_NAME) {
+            throw f.wrong(key, "at most " + LONGEST_NAME + " characters");
+        }
+        return name;
     }
 
     private static Map<String, Double> prior(Fields f) {

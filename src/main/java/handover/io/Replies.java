@@ -23,37 +23,83 @@ public final class Replies {
      */
     public record Remarks(boolean uninformative, List<String> unknownWords, boolean complete) {
         public static final Remarks NONE = new Remarks(false, List.of(), true);
+
+        /** Adds what is remarkable to a reply (modified). */
+        ObjectNode put(ObjectNode reply) {
+            if (uninformative) {
+                reply.put("uninformative", true);
+            }
+            if (!unknownWords.isEmpty()) {
+                reply.set("unknown_words", Json.list(unknownWords));
+            }
+            return complete ? reply : reply.put("final", false);
+        }
+    }
+
+    /**
+     * A message was applied.
+     *
+     * @param re id of the message that is answered, null if it has none
+     * @param version of the belief after it
+     */
+    public static String ok(String re, long version, Remarks remarks) {
+        return Json.line(remarks.put(envelope("ok", re).put("belief", version)));
+    }
+
+    /** A later {@code decide} came before this one was answered. */
+    public static String superseded(String re) {
+        return Json.line(envelope("superseded", re));
     }
 
     /** @param re id of the message that is answered, null if it has none */
     public static String belief(String re, HandoverBelief belief, Remarks remarks) {
-        ObjectNode tree = beliefs("belief", re, belief);
-        if (remarks.uninformative) {
-            tree.put("uninformative", true);
-        }
-        if (!remarks.unknownWords.isEmpty()) {
-            tree.set("unknown_words", Json.list(remarks.unknownWords));
-        }
-        if (!remarks.complete) {
-            tree.put("final", false);
-        }
+        return Json.line(remarks.put(beliefs("belief", re, belief)));
+    }
+
+    /** Everything about the belief, the task and the table. */
+    public static String state(String re, HandoverBelief belief) {
+        return Json.line(stateTree(re, belief));
+    }
+
+    /**
+     * The same of a running bridge.
+     *
+     * @param version of the belief
+     * @param episode counts the episodes
+     * @param counters of the bridge
+     */
+    public static String state(String re, HandoverBelief belief, long version, long episode, Map<String, Long> counters) {
+        ObjectNode tree = stateTree(re, belief).put("belief_version", version).put("episode", episode);
+        counters.forEach(tree.putObject("counters")::put);
         return Json.line(tree);
     }
 
-    /** Everything about the belief and the task. */
-    public static String state(String re, HandoverBelief belief) {
-        return Json.line(withTask(beliefs("state", re, belief), belief.task()));
+    private static ObjectNode stateTree(String re, HandoverBelief belief) {
+        ObjectNode tree = withTask(beliefs("state", re, belief), belief.task());
+        tree.set("scene", Json.scene(belief.scene()));
+        return tree;
     }
 
     /** The end of an episode. */
     public static String summary(String re, HandoverBelief belief, int acts) {
-        return Json.line(withTask(beliefs("summary", re, belief), belief.task()).put("acts", acts));
+        return Json.line(summaryTree(re, belief, acts));
+    }
+
+    /** The same of a running bridge; {@code version} is that of the last belief. */
+    public static String summary(String re, HandoverBelief belief, int acts, long version, long episode) {
+        return Json.line(summaryTree(re, belief, acts).put("belief_version", version).put("episode", episode));
+    }
+
+    private static ObjectNode summaryTree(String re, HandoverBelief belief, int acts) {
+        return withTask(beliefs("summary", re, belief), belief.task()).put("acts", acts);
     }
 
     public static String error(WireException e) {
-        ObjectNode tree = envelope("error", e.re());
-        tree.put("code", e.code().key()).put("path", e.path()).put("message", e.getMessage());
-        return Json.line(tree);
+        return Json.line(errorTree(e));
+    }
+
+    static ObjectNode errorTree(WireException e) {
+        return envelope("error", e.re()).put("code", e.code().key()).put("path", e.path()).put("message", e.getMessage());
     }
 
     /**
@@ -63,11 +109,31 @@ public final class Replies {
      * @param milliseconds that it took
      */
     public static String decision(HandoverBelief belief, Decision decision, double milliseconds) {
-        ObjectNode tree = envelope("decision", null);
+        return Json.line(decisionTree(null, belief, decision, milliseconds));
+    }
+
+    /**
+     * The same of a running bridge.
+     *
+     * @param version of the belief at which it was made
+     * @param fallback whether it is only what is always possible
+     */
+    public static String decision(String re, HandoverBelief belief, Decision decision, double milliseconds, long version,
+            boolean fallback) {
+        return Json.line(decisionTree(re, belief, decision, milliseconds).put("belief_version", version)
+                .put("fallback", fallback));
+    }
+
+    private static ObjectNode decisionTree(String re, HandoverBelief belief, Decision decision, double milliseconds) {
+        ObjectNode tree = envelope("decision", re);
         tree.setAll(act(decision.act()));
         ActModel model = belief.scene().model(decision.act());
         if (model != null && !model.say().isEmpty()) {
             tree.put("say", model.say());
+        }
+        int target = decision.act().objects().size() == 1 ? belief.scene().indexOf(decision.act().objects().get(0)) : -1;
+        if (target >= 0) {
+            tree.set("target", Json.list(belief.scene().objects().get(target).position()));
         }
         tree.set("belief", Json.byObject(belief.scene(), belief.probabilities()));
         tree.set("human_belief", Json.byObject(belief.scene(), belief.human()));
@@ -76,13 +142,17 @@ public final class Replies {
                 .forEach(v -> values.put(v.getKey().toString(), v.getValue()));
         tree.put("depth", decision.depth()).put("nodes", decision.nodes()).put("ms", milliseconds)
                 .put("finished", decision.finished());
+        if (decision.bounds() != null) {
+            tree.putArray("bounds").add(decision.bounds().lower()).add(decision.bounds().upper());
+        }
         if (!decision.note().isEmpty()) {
             tree.put("note", decision.note());
         }
-        return Json.line(tree);
+        return tree;
     }
 
-    private static ObjectNode beliefs(String type, String re, HandoverBelief belief) {
+    /** The fields that tell an observer all about a belief. */
+    static ObjectNode beliefs(String type, String re, HandoverBelief belief) {
         ObjectNode tree = envelope(type, re);
         tree.set("belief", Json.byObject(belief.scene(), belief.probabilities()));
         tree.set("human_belief", Json.byObject(belief.scene(), belief.human()));
@@ -96,12 +166,12 @@ public final class Replies {
         return tree.put("target", task.target()).put("progress", task.progress()).put("handovers", task.handovers());
     }
 
-    private static ObjectNode envelope(String type, String re) {
+    static ObjectNode envelope(String type, String re) {
         ObjectNode tree = Json.object().put("v", 1).put("type", type);
         return re == null ? tree : tree.put("re", re);
     }
 
-    private static ObjectNode act(Act act) {
+    static ObjectNode act(Act act) {
         ObjectNode tree = Json.object().put("act", act.verb());
         tree.set("objects", Json.list(act.objects()));
         return tree;

@@ -6,6 +6,7 @@ import handover.domain.HandoverDomain;
 import handover.domain.IncrementalCommunicatedDomain;
 import handover.domain.IncrementalPickDomain;
 import handover.domain.InvalidParameterException;
+import handover.domain.NestedBeliefDomain;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Modifier;
 import java.util.Map;
@@ -21,7 +22,8 @@ final class Variants {
             DomainSpec.BASE, HandoverDomain.class,
             "incremental", IncrementalPickDomain.class,
             "communicated", CommunicatedObjectDomain.class,
-            "incremental_communicated", IncrementalCommunicatedDomain.class));
+            "incremental_communicated", IncrementalCommunicatedDomain.class,
+            "nested", NestedBeliefDomain.class));
 
     private Variants() {}
 

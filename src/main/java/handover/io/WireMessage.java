@@ -1,8 +1,8 @@
 package handover.io;
 
-import handover.domain.Gesture;
 import handover.domain.PickSignal;
 import handover.domain.Speech;
+import handover.domain.TableObject;
 import handover.domain.Utterance;
 import handover.domain.Vocabulary;
 import handover.math.Vector3;
@@ -25,12 +25,23 @@ public sealed interface WireMessage {
      */
     record Envelope(String id, String source, Double t) {}
 
+    /** Who is there? */
+    record Hello(Envelope envelope) implements WireMessage {}
+
     /**
      * Start an episode.
      *
      * @param prior object to probability, summing to one; empty for the domain's own
+     * @param seed of the chance that decisions use; null if not said
      */
-    record Begin(Envelope envelope, Map<String, Double> prior) implements WireMessage {}
+    record Begin(Envelope envelope, Map<String, Double> prior, Long seed) implements WireMessage {}
+
+    /**
+     * What should the robot do?
+     *
+     * @param deadlineMs milliseconds until the answer must be there; null if not said
+     */
+    record Decide(Envelope envelope, Double deadlineMs) implements WireMessage {}
 
     /** What an act came to. */
     enum Status { STARTED, COMPLETED, FAILED, CANCELLED }
@@ -67,22 +78,30 @@ public sealed interface WireMessage {
     }
 
     /**
+     * One arm, in metres.
+     *
+     * @param hand or wrist
+     */
+    record Arm(Vector3 hand, Vector3 shoulder) {}
+
+    /**
      * The human pointed.
      *
-     * @param hand metres
-     * @param shoulder metres
-     * @param frame of both; null for the table's
+     * @param arms one, or both if it is not said which one points
+     * @param frame of the positions; null for the table's
      */
-    record Pointed(Envelope envelope, Vector3 hand, Vector3 shoulder, String frame) implements WireMessage {
-        /**
-         * As the filter takes it, for positions in the table's frame.
-         *
-         * @throws handover.domain.InvalidParameterException if they are out of reach or have no direction
-         */
-        public Gesture gesture() {
-            return Gesture.of(shoulder, hand);
-        }
-    }
+    record Pointed(Envelope envelope, List<Arm> arms, String frame) implements WireMessage {}
+
+    /**
+     * The table changed.
+     *
+     * @param moved where objects are now, metres
+     * @param removed names of objects that are not there any more
+     * @param added objects that were not there
+     * @param frame of all positions; null for the table's
+     */
+    record SceneChange(Envelope envelope, Map<String, Vector3> moved, List<String> removed, List<TableObject> added,
+            String frame) implements WireMessage {}
 
     /** What is the state? */
     record State(Envelope envelope) implements WireMessage {}

@@ -3,15 +3,8 @@ package handover.simulation;
 import handover.belief.HandoverBelief;
 import handover.domain.Act;
 import handover.domain.ActModel;
-import handover.domain.ActType;
-import handover.domain.AskType;
 import handover.domain.HandoverDomain;
 import handover.domain.Observation;
-import handover.domain.PickSignal;
-import handover.domain.Speech;
-import handover.domain.Utterance;
-import handover.math.MatchScore;
-import handover.math.Simplex;
 import handover.math.Streams;
 import handover.solver.Deadline;
 import handover.solver.Decision;
@@ -67,7 +60,7 @@ public final class EpisodeRunner {
         String wanted = world.wanted();
         List<Step> steps = new ArrayList<>();
         List<Long> nanos = new ArrayList<>();
-        Tally tally = new Tally();
+        Tally tally = new Tally(planner);
         while (!belief.task().done() && steps.size() < stepLimit) {
             HandoverBelief shown = solver.clairvoyant() ? belief.revealed(world.state().wanted()) : belief;
             tally.score(shown, world.state().wanted());
@@ -75,7 +68,7 @@ public final class EpisodeRunner {
             Decision decision = decide(index, shown, chance);
             nanos.add(nanoClock.getAsLong() - before);
             Step step = step(world, belief, decision.act());
-            tally.add(step, world.state().task().signal());
+            tally.add(step.act(), step.reward(), world.state().task().signal());
             steps.add(step);
             belief = step.belief();
         }
@@ -97,64 +90,9 @@ public final class EpisodeRunner {
             throw new IllegalStateException(solver.name() + " chose " + act + ", which is not legal with "
                     + belief.scene() + " on the table");
         }
-        double reward = world.step(act);
         HandoverBelief predicted = belief.after(act);
-        if (planner.beliefDependentReward()) {
-            double[] b = predicted.probabilities();
-            reward += planner.matchReward(b, predicted.human(), b.length);
-        }
-        Observation observation = asHeardBy(planner, world.react(act));
+        double reward = world.step(act, predicted);
+        Observation observation = world.react(act, planner.vocabulary());
         return new Step(act, observation, reward, predicted.given(observation));
-    }
-
-    /** Words that these people use but the planner's vocabulary lacks are unknown words to it. */
-    private Observation asHeardBy(HandoverDomain listener, Observation o) {
-        if (o.speech() == null || people.vocabulary().words().equals(listener.vocabulary().words())) {
-            return o;
-        }
-        Utterance said = o.speech().alternatives().get(0).utterance();
-        return new Observation(Speech.of(said.text(), listener.vocabulary()), o.gesture(), o.signal());
-    }
-
-    /** Adds up what an episode is worth. */
-    private final class Tally {
-        private Boolean firstPickRight;
-        private double seconds;
-        private double discountedReturn;
-        private double discount = 1;
-        private int steps;
-        private int questions;
-        private double logScore;
-        private double brierScore;
-        private double distance;
-
-        void score(HandoverBelief belief, int wanted) {
-            double[] b = belief.probabilities();
-            double[] truth = Simplex.vertex(b.length, wanted);
-            logScore += MatchScore.LOG.of(truth, b, b.length);
-            brierScore += MatchScore.BRIER.of(truth, b, b.length);
-            distance += Simplex.l1(b, belief.human());
-        }
-
-        void add(Step step, PickSignal signal) {
-            if (firstPickRight == null && (signal == PickSignal.ACCEPTED || signal == PickSignal.REJECTED)) {
-                firstPickRight = signal == PickSignal.ACCEPTED;
-            }
-            seconds += planner.seconds(typeOf(step.act()));
-            discountedReturn += discount * step.reward();
-            discount *= planner.discount();
-            steps++;
-            questions += step.act().verb().equals(AskType.VERB) ? 1 : 0;
-        }
-
-        private ActType typeOf(Act act) {
-            return planner.types().stream().filter(t -> t.verb().equals(act.verb())).findFirst().orElseThrow();
-        }
-
-        Measures measures(HandoverBelief end) {
-            int n = Math.max(1, steps);
-            return new Measures(Boolean.TRUE.equals(firstPickRight), end.task().handovers() >= planner.spec().handovers(),
-                    seconds, steps, discountedReturn, questions, logScore / n, brierScore / n, distance / n);
-        }
     }
 }

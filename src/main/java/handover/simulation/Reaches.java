@@ -15,16 +15,29 @@ import java.util.List;
  * @param correctCancels reaches for something else that were called off
  * @param falseCancels reaches for the wanted object that were called off
  * @param objections reaches for something else during which the human said no
- * @param stepsToCancel for each objection that was heeded: how many acts later the robot did something else, 1 for at once
+ * @param heeded the objections after which the robot did something else
  */
-public record Reaches(boolean wrong, int correctCancels, int falseCancels, int objections, List<Integer> stepsToCancel) {
+public record Reaches(boolean wrong, int correctCancels, int falseCancels, int objections, List<Heeded> heeded) {
+
+    /**
+     * A reach that was called off after the human said no.
+     *
+     * @param objected number of the step to which they said no
+     * @param cancelled number of the step in which the robot did something else
+     */
+    public record Heeded(int objected, int cancelled) {}
+
+    /** For each objection that was heeded: how many acts later the robot did something else, 1 for at once. */
+    public List<Integer> stepsToCancel() {
+        return heeded.stream().map(h -> h.cancelled - h.objected).toList();
+    }
 
     /** Reads an episode with one handover, in which the wish stands still. */
     public static Reaches of(Episode episode) {
         int correct = 0;
         int mistaken = 0;
         int objections = 0;
-        List<Integer> delays = new ArrayList<>();
+        List<Heeded> heeded = new ArrayList<>();
         int objected = -1;
         List<Step> steps = episode.steps();
         for (int k = 0; k < steps.size(); k++) {
@@ -35,7 +48,7 @@ public record Reaches(boolean wrong, int correctCancels, int falseCancels, int o
                 correct += right ? 0 : 1;
                 mistaken += right ? 1 : 0;
                 if (objected >= 0) {
-                    delays.add(k - objected);
+                    heeded.add(new Heeded(objected, k));
                 }
                 objected = -1;
             }
@@ -47,7 +60,7 @@ public record Reaches(boolean wrong, int correctCancels, int falseCancels, int o
                 objections++;
             }
         }
-        return new Reaches(wrong(steps), correct, mistaken, objections, List.copyOf(delays));
+        return new Reaches(wrong(steps), correct, mistaken, objections, List.copyOf(heeded));
     }
 
     private static boolean wrong(List<Step> steps) {

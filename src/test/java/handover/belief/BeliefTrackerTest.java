@@ -51,7 +51,7 @@ class BeliefTrackerTest {
         BeliefTracker t = BeliefTracker.of(START).started(ASK);
         assertSameBelief(START.after(ASK), t.now(), "started");
         assertEquals(ASK, t.act());
-        assertSame(START, t.before());
+        assertSame(START, t.undone());
         BeliefTracker done = t.heard(say("yes")).completed(ASK, PickSignal.NONE);
         assertSameBelief(START.after(ASK).heard(say("yes")), done.now(), "completing a question changes nothing more");
         assertNull(done.act());
@@ -119,7 +119,6 @@ class BeliefTrackerTest {
         t.heard(say("no")).saw(GESTURE).completed(ASK, PickSignal.NONE);
         t.abandoned(ASK);
         assertSame(before, t.now());
-        assertEquals(List.of(), t.evidence());
     }
 
     /** A "no" that is heard while an increment stalls that would have completed the pick counts, event by event as at once. */

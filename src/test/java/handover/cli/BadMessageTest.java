@@ -66,8 +66,9 @@ class BadMessageTest {
             {'v':1,'type':'gesture','hand':[0,1,1],'shoulder':[0,0,1],'frame':'camera'}  | unknown_frame | frame
             {'v':1,'type':'gesture','hand':[0,1,1],'shoulder':[0,0,1],'confidence':7}    | bad_field     | confidence
             {'v':1,'type':'gesture','hand':[0,1,1],'joints':{}}                 | bad_field     | joints
-            {'v':1,'type':'gesture','joints':{}}                                | missing_field | side
-            {'v':1,'type':'gesture','joints':{},'side':'best'}                  | bad_field     | side
+            {'v':1,'type':'gesture','joints':{}}                                | missing_field | joints.hand_right
+            {'v':1,'type':'gesture','joints':{},'side':'best'}                  | missing_field | joints.hand_right
+            {'v':1,'type':'gesture','joints':{},'side':'both'}                  | bad_field     | side
             {'v':1,'type':'gesture','joints':{},'side':'left'}                  | missing_field | joints.hand_left
             {'v':1,'type':'gesture','joints':{'hand_left':[1,1,1]},'side':'left'} | missing_field | joints.shoulder_left
             {'v':1,'type':'acted','act':'WAIT'}                                 | missing_field | status

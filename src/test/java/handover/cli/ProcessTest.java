@@ -16,7 +16,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The command as a process of its own, with what is packaged and nothing of the tests on its class path. */
 class ProcessTest {
-    private static final String[] LIBRARIES = {"burlap", "commons-lang", "hipparchus", "jackson", "picocli"};
+    private static final String[] LIBRARIES = {"burlap", "commons-lang", "hipparchus", "jackson", "jeromq", "jnacl", "logback",
+        "picocli", "slf4j"};
 
     @TempDir
     Path folder;

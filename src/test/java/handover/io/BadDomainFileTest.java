@@ -58,7 +58,7 @@ class BadDomainFileTest {
     @Test
     void unknownNamesListWhatThereIs() {
         assertEquals("bowls: there is no such file, and no shipped domain of this name; available are bowls-and-spoons, "
-                + "bowls-communicated, bowls-incremental, bowls-incremental-communicated, kitchen-20, table-line-5, "
+                + "bowls-communicated, bowls-incremental, bowls-incremental-communicated, bowls-nested, kitchen-20, table-line-5, "
                 + "table-line-6, table-line-6-communicated, table-line-6-incremental", message("bowls"));
         assertTrue(message("../domains/kitchen-20").startsWith("../domains/kitchen-20: there is no such file"));
         assertTrue(message("a\0b").contains("there is no such file"));

@@ -13,8 +13,8 @@ final class BadDomains {
     static final String GOOD = "{'name': 'x', 'objects': [" + CUP + ", " + BOX + "]}";
 
     private static final String TOP = "; this is a domain file, which may have here name, description, variant, objects, prior, "
-            + "pointing_origin, shoulder, tau, tau_human, handovers, wrong_pick, ask, understanding, speech, gesture, "
-            + "rewards, pick, communicated, acts";
+            + "pointing_origin, shoulder, tau, tau_human, handovers, wrong_pick, ask, understanding, perception, speech, gesture, "
+            + "rewards, pick, communicated, acts, frames, adapters";
 
     /**
      * One bad file.
@@ -120,6 +120,19 @@ final class BadDomains {
                 seen("{'objects': [" + CUP + "]}", "name: this key is missing"),
                 seen("{'name': 'x'}", "objects: this key is missing"),
                 seen(object("'position': [0, 0.6, 0]"), "objects[0].words: this key is missing"),
+                seen(with("'frames': {'table': {}}"),
+                        "frames.table: expected another name, because this is the frame that the domain is in"),
+                seen(with("'frames': {'cam': {'rotaton': []}}"), "frames.cam.rotaton: unknown key (did you mean "
+                        + "\"rotation\"?); this is a domain file, which may have here rotation, translation"),
+                seen(with("'frames': {'cam': {'matrix': [[1, 0, 0, 0]]}}"),
+                        "frames.cam.matrix: expected 4 rows of 4 numbers, got [[1,0,0,0]]"),
+                hidden(with("'frames': {'cam': {'matrix': [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 1, 1]]}}"),
+                        "frames.cam.matrix[3]: expected [0, 0, 0, 1], got [0,0,1,1]"),
+                seen(with("'frames': {'cam': {'rotation': [1, 0, 0]}}"),
+                        "frames.cam.rotation[0]: expected a list [...], got 1"),
+                seen(with("'adapters': {'mic': {}}"), "adapters.mic.type: this key is missing"),
+                seen(with("'adapters': {'mic': {'type': 'sound'}}"),
+                        "adapters.mic.type: expected one of speech, gesture, got \"sound\""),
                 seen(with("'tua': 1"), "tua: unknown key (did you mean \"tau\"?)" + TOP),
                 seen(with("'transparency': 1"), "transparency: unknown key" + TOP),
                 seen(with("'speech': {'aplha': 1}"), "speech.aplha: unknown key (did you mean \"alpha\"?); this is a domain "
@@ -136,6 +149,14 @@ final class BadDomains {
 
     private static List<Bad> ranges() {
         return List.of(
+                hidden(with("'frames': {'cam': {'rotation': [0, 0, 0, 1.1]}}"), "frames.cam.rotation: expected a quaternion "
+                        + "[x, y, z, w] of length 1, got [0,0,0,1.1]"),
+                hidden(with("'frames': {'cam': {'rotation': [[1, 0, 0], [0, 1, 0], [0, 0, -1]]}}"),
+                        "frames.cam.rotation: expected a rotation, got one that mirrors"),
+                hidden(with("'frames': {'cam': {'rotation': [[1, 0, 0], [0, 2, 0], [0, 0, 1]]}}"), "frames.cam.rotation: expected "
+                        + "rows of length 1 at right angles, got a product of 4.0 of rows 1 and 1"),
+                seen(with("'frames': {'cam': {'translation': [0, 0, 1000]}}"),
+                        "frames.cam.translation[2]: expected metres in [-100, 100], got 1000.0"),
                 seen("{'name': 'x', 'objects': []}", "objects: expected at least 1 object, got none"),
                 seen(with("'tau': 1.5"), "tau: expected a probability in [0, 1], got 1.5"),
                 seen(with("'speech': {'answer_error': -0.1}"),

@@ -4,9 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import handover.domain.ActParameters;
+import handover.domain.Adapter;
 import handover.domain.AskParameters;
 import handover.domain.AskSets;
 import handover.domain.DomainSpec;
+import handover.domain.Frame;
 import handover.domain.GestureParameters;
 import handover.domain.Rewards;
 import handover.domain.SpeechParameters;
@@ -65,7 +67,12 @@ class DomainRoundTripTest {
                     f.prior = Map.of(spec.objects().get(0).name(), 1.0);
                 }));
         return Combinators.combine(task, act(), Arbitraries.of("wait", "pick", "nod"))
-                .as((spec, act, verb) -> spec.with(f -> f.acts.put(verb, act)));
+                .as((spec, act, verb) -> spec.with(f -> {
+                    f.acts.put(verb, act);
+                    f.frames = Map.of("camera", new Frame(List.of(List.of(0.0, -1.0, 0.0), List.of(0.6, 0.0, -0.8),
+                            List.of(0.8, 0.0, 0.6)), new Vector3(act.reward() / 1e6, -0.0, 2)));
+                    f.adapters = Map.of(verb, new Adapter(Adapter.Type.SPEECH, Map.of("text", "a.Text"), Map.of("side", verb)));
+                }));
     }
 
     private static Arbitrary<List<TableObject>> objects() {

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** A human file changes what it says about people, and nothing else. */
 class HumanFilesTest {
     private static final String TOP = "; this is a human file, which may have here description, tau, tau_human, "
-            + "understanding, speech, gesture, shoulder, objects, acts";
+            + "understanding, perception, speech, gesture, shoulder, objects, acts";
     private static final DomainSpec PLANNER = DomainFiles.fromJson(json(BadDomains.GOOD), "x")
             .with(s -> s.tau = 0.9);
 

@@ -41,7 +41,7 @@ class ReachesTest {
                 step("WAIT", "metal", PickSignal.NONE), step("metal_bowl", null, PickSignal.MOVING),
                 step("WAIT", null, PickSignal.NONE), step("metal_bowl", null, PickSignal.MOVING),
                 step("metal_bowl", null, PickSignal.MOVING), step("metal_bowl", null, PickSignal.ACCEPTED));
-        assertEquals(new Reaches(false, 1, 1, 1, List.of(1)), r);
+        assertEquals(new Reaches(false, 1, 1, 1, List.of(new Reaches.Heeded(1, 2))), r);
     }
 
     @Test
@@ -56,6 +56,7 @@ class ReachesTest {
         Reaches r = reaches(true, step("color_bowl", "no", PickSignal.MOVING), step("color_bowl", "no", PickSignal.MOVING),
                 step("metal_bowl", null, PickSignal.MOVING));
         assertEquals(List.of(2), r.stepsToCancel());
+        assertEquals(List.of(new Reaches.Heeded(0, 2)), r.heeded());
     }
 
     private static Estimate wrong(HandoverDomain domain, Solver solver) throws InterruptedException {

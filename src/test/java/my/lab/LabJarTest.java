@@ -57,7 +57,7 @@ class LabJarTest {
         Path domain = folder.resolve("nowhere.json");
         Files.writeString(domain, Files.readString(Path.of("src/test/resources/my/lab/quiet.json")).replace("QuietDomain", "LoudDomain"));
         assertEquals(2, handover(null, "plan", "--domain", domain.toString()));
-        assertTrue(err().contains("variant: expected base, communicated, incremental, incremental_communicated or the name of a "
+        assertTrue(err().contains("variant: expected base, communicated, incremental, incremental_communicated, nested or the name of a "
                 + "class, got \"my.lab.LoudDomain\"; no such class is on the class path"), err());
     }
 

@@ -1,4 +1,4 @@
-package handover.cli;
+package handover.bridge;
 
 import handover.belief.BeliefTracker;
 import handover.domain.Act;
@@ -14,20 +14,29 @@ import handover.io.WireMessage;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.UnaryOperator;
 
 /** What the robot says that it did, checked against what it can do. */
 final class ActedMessage {
     private ActedMessage() {}
 
-    /** The tracker after what the robot did. Throws {@link WireException} if that cannot be. */
-    static BeliefTracker apply(WireMessage.Acted message, BeliefTracker before) {
+    /** What the robot did does to a tracker. Throws {@link WireException} if that cannot be done to this one. */
+    static UnaryOperator<BeliefTracker> change(WireMessage.Acted message, BeliefTracker before) {
         Act act = act(message, before.now().scene());
         checkPick(message, act);
-        return switch (message.status()) {
-            case STARTED -> started(act, before);
-            case COMPLETED -> completed(message, act, before);
-            case FAILED, CANCELLED -> before.abandoned(act);
-        };
+        switch (message.status()) {
+            case STARTED -> {
+                checkGoing(before);
+                return t -> t.started(act);
+            }
+            case COMPLETED -> {
+                checkOutcome(message, act, before);
+                return t -> t.completed(act, message.pick());
+            }
+            default -> {
+                return t -> t.abandoned(act);
+            }
+        }
     }
 
     private static Act act(WireMessage.Acted message, Scene scene) {
@@ -63,21 +72,24 @@ final class ActedMessage {
         }
     }
 
-    private static BeliefTracker started(Act act, BeliefTracker before) {
+    private static void checkGoing(BeliefTracker before) {
         if (before.now().task().done()) {
             throw new WireException(WireCode.ILLEGAL_ACT, "act", "the episode is over");
         }
-        return before.started(act);
     }
 
-    private static BeliefTracker completed(WireMessage.Acted message, Act act, BeliefTracker before) {
-        BeliefTracker under = act.equals(before.act()) ? before : started(act, before);
+    private static void checkOutcome(WireMessage.Acted message, Act act, BeliefTracker before) {
+        BeliefTracker under = before;
+        if (!act.equals(before.act())) {
+            checkGoing(before);
+            under = before.started(act);
+        }
         boolean decided = message.pick() == PickSignal.ACCEPTED || message.pick() == PickSignal.REJECTED;
-        boolean pending = message.pick() == PickSignal.NONE ? under.now().stalled().pickPending() : under.now().pickPending();
+        boolean stalls = message.pick() == PickSignal.NONE && under.stalled() != null;
+        boolean pending = (stalls ? under.stalled() : under.now()).pickPending();
         if (pending && !decided) {
             throw new WireException(message.pick() == PickSignal.NONE ? WireCode.MISSING_FIELD : WireCode.BAD_FIELD, "pick",
                     "expected accepted or rejected, because this completes the pick");
         }
-        return under.completed(act, message.pick());
     }
 }

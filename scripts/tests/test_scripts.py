@@ -1,0 +1,89 @@
+"""The scripts as processes: help, what is wrong in a line with exit code 2, and the live view."""
+import os
+import signal
+import subprocess
+import sys
+import unittest
+
+SCRIPTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, SCRIPTS)
+from client import zmq  # noqa: E402
+from watch import View  # noqa: E402
+
+NAMES = ["sensor_sim.py", "robot_sim.py", "speech_pocketsphinx.py", "gesture_mediapipe.py", "record.py", "watch.py", "load.py"]
+DEAD = "tcp://127.0.0.1:1"
+
+
+def script(name, *arguments):
+    return subprocess.run([sys.executable, os.path.join(SCRIPTS, name), *arguments], capture_output=True, text=True, timeout=60)
+
+
+class ScriptsTest(unittest.TestCase):
+    def test_each_has_help(self):
+        for name in NAMES:
+            with self.subTest(name):
+                done = script(name, "--help")
+                self.assertEqual(0, done.returncode, done.stderr)
+                self.assertIn("usage: " + name, done.stdout)
+
+    def test_what_is_wrong_is_one_line(self):
+        for name, arguments, problem in (
+                ("record.py", ["--bridge", "nowhere"], "nowhere: expected an address such as tcp://"),
+                ("record.py", ["--bridge", DEAD, "--out", "/nowhere/x"], "/nowhere/x: No such file or directory"),
+                ("watch.py", ["--key", "x"], "expected both --key and --server-key"),
+                ("watch.py", ["--key", "x", "--server-key", "/nowhere"], "/nowhere: expected a key file"),
+                ("sensor_sim.py", ["--bridge", DEAD], "the bridge did not answer a hello"),
+                ("gesture_mediapipe.py", ["--camera", "0"], "expected --model"),
+                ("gesture_mediapipe.py", ["--landmarks", "/nowhere", "--dry-run"], "/nowhere: No such file or directory"),
+                ("gesture_mediapipe.py", ["--landmarks", "/nowhere", "--fov", "200"], "--fov: expected degrees"),
+                ("speech_pocketsphinx.py", ["--dry-run"], "expected --domain"),
+                ("speech_pocketsphinx.py", ["--dry-run", "--domain", __file__], "test_scripts.py: expected JSON")):
+            with self.subTest(name + str(arguments)):
+                done = script(name, *arguments)
+                self.assertEqual(2, done.returncode, done.stderr)
+                self.assertEqual(1, done.stderr.count("\n"), done.stderr)
+                self.assertIn(problem, done.stderr)
+
+    def test_ctrl_c_is_quiet(self):
+        for name in ("record.py", "watch.py", "sensor_sim.py", "robot_sim.py", "load.py"):
+            with self.subTest(name), zmq.Context() as context, context.socket(zmq.ROUTER) as bridge:
+                port = bridge.bind_to_random_port("tcp://127.0.0.1")
+                more = ["speech"] if name == "load.py" else []
+                process = subprocess.Popen([sys.executable, os.path.join(SCRIPTS, name), "--bridge", f"tcp://127.0.0.1:{port}", *more],
+                                           stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                self.assertTrue(bridge.poll(30000), "it asks")
+                process.send_signal(signal.SIGINT)
+                self.assertEqual((b"", b""), process.communicate(timeout=30))
+                self.assertEqual(130, process.returncode)
+                bridge.linger = 0
+
+    def test_usage_is_checked(self):
+        done = script("gesture_mediapipe.py")
+        self.assertEqual(2, done.returncode)
+        self.assertIn("one of the arguments --camera --image --landmarks is required", done.stderr)
+
+
+class ViewTest(unittest.TestCase):
+    def view(self):
+        view = View("two")
+        view.take("belief", {"belief": {"cup": 0.75, "box": 0.25}, "human_belief": {"cup": 0.5, "box": 0.5}})
+        view.take("act", {"act": "ASK", "objects": ["cup"], "status": "started"})
+        return view
+
+    def test_a_line_says_the_likeliest_and_the_latest(self):
+        self.assertEqual("robot: cup 0.750 | person: cup 0.500 | started ASK(cup)", self.view().line())
+
+    def test_a_picture_has_bars_and_fits(self):
+        picture = self.view().picture(62)
+        self.assertIn("cup  0.750 " + "#" * 14 + " " * 4, picture)
+        self.assertIn("box  0.250 " + "#" * 4 + " ", picture)
+        self.assertTrue(all(len(line) <= 62 for line in picture.splitlines()))
+
+    def test_a_belief_version_is_no_belief(self):
+        view = self.view()
+        view.take("act", {"act": "WAIT", "objects": [], "status": "completed", "belief": 12})
+        self.assertIn("cup 0.750", view.line())
+
+
+if __name__ == "__main__":
+    unittest.main()

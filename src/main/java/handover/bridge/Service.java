@@ -1,0 +1,282 @@
+package handover.bridge;
+
+import handover.domain.TableObject;
+import handover.io.Events;
+import handover.io.Messages;
+import handover.io.Replies;
+import handover.io.SessionLogWriter;
+import handover.io.Welcome;
+import handover.io.WireCode;
+import handover.io.WireException;
+import handover.io.WireMessage;
+import handover.solver.Policy;
+import handover.solver.Replan;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.DoubleSupplier;
+import java.util.function.LongSupplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** What a bridge answers to which message, without the sockets. Used by one thread. */
+final class Service implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(Service.class);
+    private static final WireMessage.Envelope NOBODY = new WireMessage.Envelope(null, "", null);
+    private static final long HEARTBEAT_NANOS = 1_000_000_000;
+
+    private final Session session;
+    private final Welcome welcome;
+    private final Outbox outbox;
+    private final SessionLogWriter log;
+    private final DoubleSupplier clock;
+    private final LongSupplier nanoClock;
+    private final double sourceTimeout;
+    private final Planner planner;
+    private final Decisions decisions;
+    private final Vitals vitals;
+    private final StreamQueue queue;
+    private volatile Snapshot published;
+    private long lastBeat;
+
+    /**
+     * @param log receives what is applied and answered; null for none
+     * @param clock Unix seconds
+     * @param nanoClock as {@link System#nanoTime}
+     * @param planned receives plans on the planner's thread; they are to be handed to {@link #planned}
+     */
+    Service(Session session, Policy policy, Welcome welcome, BridgeSettings settings, Outbox outbox, SessionLogWriter log,
+            DoubleSupplier clock, LongSupplier nanoClock, Consumer<Planner.Plan> planned) {
+        this.session = session;
+        this.welcome = welcome;
+        this.outbox = outbox;
+        this.log = log;
+        this.clock = clock;
+        this.nanoClock = nanoClock;
+        this.sourceTimeout = settings.limits().sourceTimeout();
+        this.published = session.now();
+        this.vitals = new Vitals(clock.getAsDouble());
+        this.queue = new StreamQueue(settings.limits().queue());
+        this.planner = new Planner(policy, new Replan(settings.replanThreshold()), () -> published, nanoClock, planned);
+        this.decisions = new Decisions(planner, () -> published, settings.deadlineMs(), new Desk(), vitals);
+        this.lastBeat = nanoClock.getAsLong();
+    }
+
+    /** In the episode that is under way so many decisions were answered before. */
+    void restore(long answered) {
+        decisions.restore(answered);
+    }
+
+    // ---- messages ------------------------------------------------------------------------------------------------
+
+    /** A request, which is answered. */
+    void command(Client client, byte[] body) {
+        long nanos = nanoClock.getAsLong();
+        vitals.count("requests");
+        WireMessage.Envelope envelope = NOBODY;
+        try {
+            WireMessage message = Messages.decode(body);
+            envelope = message.envelope();
+            vitals.sources().seen(envelope.source(), clock.getAsDouble());
+            if (message instanceof WireMessage.Hello) {
+                answer(client, welcome.reply(envelope.id(), session.table()));
+            } else if (message instanceof WireMessage.Decide decide) {
+                session.episode();
+                decisions.decide(client, decide);
+            } else {
+                apply(message, body, client, nanos);
+            }
+        } catch (WireException e) {
+            refuse(client, envelope, e);
+        } catch (RuntimeException e) {
+            LOG.error("a message could not be handled", e);
+            refuse(client, envelope, new WireException(WireCode.INTERNAL, "", e.toString()));
+        }
+    }
+
+    /** A message that is not answered; it waits until {@link #work}. */
+    void stream(byte[] body) {
+        long nanos = nanoClock.getAsLong();
+        vitals.count("streamed");
+        try {
+            WireMessage message = Messages.decode(body);
+            WireMessage.Envelope envelope = message.envelope();
+            vitals.sources().seen(envelope.source(), clock.getAsDouble());
+            if (message instanceof WireMessage.Hello || message instanceof WireMessage.Decide
+                    || message instanceof WireMessage.State) {
+                throw new WireException(WireCode.BAD_TYPE, "type", "a question cannot be answered here; expected it on the "
+                        + "command socket").about(envelope.id());
+            } else if (!queue.add(message, body, nanos)) {
+                throw new WireException(WireCode.BUSY, "", "too many messages are waiting").about(envelope.id());
+            }
+            vitals.shed(queue.shed());
+        } catch (WireException e) {
+            refuse(null, NOBODY, e);
+        }
+    }
+
+    /** Applies some messages of the stream, at most so many; whether any is left. */
+    boolean work(int most) {
+        for (int k = 0; k < most && queue.size() > 0; k++) {
+            StreamQueue.Waiting waiting = queue.poll();
+            try {
+                apply(waiting.message(), waiting.raw(), null, waiting.nanos());
+            } catch (WireException e) {
+                refuse(null, waiting.message().envelope(), e);
+            } catch (RuntimeException e) {
+                LOG.error("a message could not be handled", e);
+                refuse(null, waiting.message().envelope(), new WireException(WireCode.INTERNAL, "", e.toString()));
+            }
+        }
+        return queue.size() > 0;
+    }
+
+    /** Frames that are no message; {@code client} is null if nobody waits for an answer. */
+    void malformed(Client client, String problem) {
+        vitals.count(client == null ? "streamed" : "requests");
+        refuse(client, NOBODY, new WireException(WireCode.NOT_JSON, "", problem));
+    }
+
+    /** Something of a feed that cannot be read as a message. */
+    void unusable(String topic, WireException e) {
+        vitals.count("streamed");
+        refuse(null, new WireMessage.Envelope(null, topic, null), e);
+    }
+
+    private void apply(WireMessage message, byte[] raw, Client client, long nanos) {
+        double at = clock.getAsDouble();
+        Session.Outcome outcome = session.apply(message, at, after -> {
+            if (log != null) {
+                Snapshot s = after.after();
+                log.applied(at, raw, s.version(), s.belief(), client == null ? null : reply(message, after));
+            }
+        });
+        if (outcome.applied()) {
+            published = outcome.after();
+            vitals.count("applied");
+        } else {
+            vitals.count(message instanceof WireMessage.State ? "questions" : outcome.remarks().complete() ? "repeated" : "unfinal");
+        }
+        if (client != null && outcome.applied()) {
+            outbox.reply(client, reply(message, outcome));
+        } else if (client != null) {
+            answer(client, reply(message, outcome));
+        }
+        publish(message, outcome, at);
+        vitals.applied(nanoClock.getAsLong() - nanos);
+        if (message instanceof WireMessage.End && outcome.applied()) {
+            decisions.end();
+        } else if (message instanceof WireMessage.Begin && outcome.applied()) {
+            decisions.begin();
+        }
+    }
+
+    private String reply(WireMessage message, Session.Outcome outcome) {
+        String re = message.envelope().id();
+        Snapshot now = outcome.after();
+        if (message instanceof WireMessage.State) {
+            return Replies.state(re, now.belief(), now.version(), now.episode(), vitals.counters());
+        } else if (message instanceof WireMessage.End && outcome.applied()) {
+            return Replies.summary(re, now.belief(), now.acts(), now.version(), now.episode());
+        }
+        return Replies.ok(re, now.version(), outcome.remarks());
+    }
+
+    private void publish(WireMessage message, Session.Outcome outcome, double at) {
+        if (!outcome.applied() && outcome.remarks().complete()) {
+            return;
+        }
+        Snapshot after = outcome.after();
+        Events.Context context = new Events.Context(message.envelope(), at, after.version(), after.episode());
+        outbox.publish(Topics.BELIEF, () -> Events.belief(context, after.belief(), message, outcome.remarks()));
+        if (message instanceof WireMessage.Acted acted) {
+            outbox.publish(Topics.ACT, () -> Events.act(context, acted));
+        } else if (message instanceof WireMessage.SceneChange) {
+            outbox.publish(Topics.SCENE, () -> Events.scene(context, session.table()));
+        } else if (message instanceof WireMessage.Begin || message instanceof WireMessage.End) {
+            outbox.publish(Topics.EPISODE, () -> Events.episode(context, message instanceof WireMessage.Begin,
+                    after.belief().scene().objects().stream().map(TableObject::name).toList()));
+        }
+    }
+
+    private void answer(Client client, String json) {
+        log(() -> log.replied(clock.getAsDouble(), json));
+        outbox.reply(client, json);
+    }
+
+    private void refuse(Client client, WireMessage.Envelope envelope, WireException e) {
+        WireException about = e.re() == null && envelope.id() != null ? e.about(envelope.id()) : e;
+        vitals.count("errors");
+        vitals.count("errors_" + e.code().key());
+        if (client != null) {
+            answer(client, Replies.error(about));
+        }
+        outbox.publish(Topics.ERROR, () -> Events.error(about, envelope.source(), clock.getAsDouble()));
+    }
+
+    /** What cannot be written must not keep an answer back that changes nothing. */
+    private void log(Runnable line) {
+        if (log != null) {
+            try {
+                line.run();
+            } catch (RuntimeException e) {
+                LOG.error("the log cannot be written", e);
+            }
+        }
+    }
+
+    private final class Desk implements Answers {
+        @Override
+        public void reply(Client client, String json) {
+            answer(client, json);
+        }
+
+        @Override
+        public void decision(Client client, String json) {
+            log(() -> log.decided(clock.getAsDouble(), json));
+            outbox.reply(client, json);
+            outbox.publish(Topics.DECISION, () -> json);
+        }
+
+        @Override
+        public void refuse(Client client, WireMessage.Envelope envelope, WireException why) {
+            Service.this.refuse(client, envelope, why);
+        }
+    }
+
+    // ---- time ----------------------------------------------------------------------------------------------------
+
+    /** A plan is there. */
+    void planned(Planner.Plan plan) {
+        decisions.planned(plan);
+    }
+
+    /** Does what is due; to be called when {@link #untilDue} says, and after each message. */
+    void tick() {
+        decisions.tick();
+        long now = nanoClock.getAsLong();
+        if (now - lastBeat >= HEARTBEAT_NANOS) {
+            lastBeat = now;
+            beat(clock.getAsDouble());
+        }
+    }
+
+    private void beat(double now) {
+        outbox.publish(Topics.HEARTBEAT, () -> vitals.heartbeat(now, published,
+                Map.of("stream", (long) queue.size(), "stream_bytes", queue.bytes())));
+        for (String source : vitals.sources().silent(now, sourceTimeout)) {
+            LOG.warn("source {} has been silent for {} s", source, sourceTimeout);
+            outbox.publish(Topics.ERROR, () -> Events.silent(source, vitals.sources().lastSeen().get(source), now));
+        }
+    }
+
+    /** Nanoseconds until {@link #tick} has something to do; not positive if it has already. */
+    long untilDue() {
+        return Math.min(decisions.untilDue(), HEARTBEAT_NANOS - (nanoClock.getAsLong() - lastBeat));
+    }
+
+    @Override
+    public void close() {
+        decisions.abandon(new WireException(WireCode.BUSY, "", "the bridge is shutting down"));
+        planner.close();
+    }
+}

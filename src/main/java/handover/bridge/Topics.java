@@ -1,0 +1,14 @@
+package handover.bridge;
+
+/** What events are published under (PROTOCOL.md). */
+final class Topics {
+    static final String BELIEF = "belief";
+    static final String DECISION = "decision";
+    static final String ACT = "act";
+    static final String ERROR = "error";
+    static final String HEARTBEAT = "heartbeat";
+    static final String SCENE = "scene";
+    static final String EPISODE = "episode";
+
+    private Topics() {}
+}

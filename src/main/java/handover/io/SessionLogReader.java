@@ -1,0 +1,119 @@
+package handover.io;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import handover.domain.HandoverDomain;
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+
+/**
+ * Reads the log of a bridge's session. A last line without line end was torn when the bridge was killed and is left out;
+ * anything else that is wrong is an {@link EpisodeLogException} with the line. Used by one thread.
+ */
+public final class SessionLogReader implements Closeable {
+    private static final String BEGINNING = "{\"format\":\"" + SessionHeader.FORMAT + "\"";
+
+    private final LogLines lines;
+    private final SessionHeader header;
+    private final HandoverDomain domain;
+
+    /**
+     * A line after the first.
+     *
+     * @param at when, Unix seconds
+     * @param message that was applied; null if none was
+     * @param version of the belief after it
+     * @param belief b after it, one entry for each object; not to be modified
+     * @param human h after it, likewise
+     * @param decision whether the line is a decision
+     */
+    public record Entry(double at, WireMessage message, long version, double[] belief, double[] human, boolean decision) {}
+
+    private SessionLogReader(LogLines lines) throws IOException {
+        this.lines = lines;
+        JsonNode first = lines.first("the log of a session");
+        try {
+            this.header = SessionHeader.of(first, lines.place());
+        } catch (FieldException e) {
+            throw lines.wrong(e);
+        } catch (DomainFileException e) {
+            throw lines.wrong(e);
+        }
+        this.domain = DomainFiles.domain(header.domain());
+    }
+
+    /** Opens a log and reads its header. Throws {@link EpisodeLogException} if it is not one. */
+    public static SessionLogReader open(Path file) throws IOException {
+        LogLines lines = new LogLines(file);
+        try {
+            return new SessionLogReader(lines);
+        } catch (RuntimeException e) {
+            lines.close();
+            throw e;
+        }
+    }
+
+    /** Whether a file begins as the log of a session does. */
+    public static boolean looksLikeLog(Path file) throws IOException {
+        byte[] expected = BEGINNING.getBytes(StandardCharsets.UTF_8);
+        if (!Files.isRegularFile(file)) {
+            return false;
+        }
+        try (var in = Files.newInputStream(file)) {
+            return Arrays.equals(in.readNBytes(expected.length), expected);
+        }
+    }
+
+    public SessionHeader header() {
+        return header;
+    }
+
+    /** The domain of the header. */
+    public HandoverDomain domain() {
+        return domain;
+    }
+
+    /** The next line; null at the end. */
+    public Entry next() throws IOException {
+        JsonNode tree = lines.next();
+        if (tree == null) {
+            return null;
+        }
+        try {
+            Fields f = new Fields(tree, "");
+            double at = f.number("at");
+            if (!f.has("message")) {
+                return new Entry(at, null, 0, null, null, f.has("decision"));
+            }
+            return new Entry(at, Messages.decode(f.object("message").node()), f.whole("belief_version", 1, Long.MAX_VALUE),
+                    f.numbers("belief"), f.numbers("human_belief"), false);
+        } catch (FieldException e) {
+            throw lines.wrong(e);
+        } catch (WireException e) {
+            throw lines.wrong("message" + (e.path().isEmpty() ? "" : "." + e.path()) + ": " + e.getMessage());
+        }
+    }
+
+    /** An exception about the line that was read last. */
+    public EpisodeLogException wrong(String problem) {
+        return lines.wrong(problem);
+    }
+
+    /** Whether the last line was torn; known once {@link #next} has given null. */
+    public boolean torn() {
+        return lines.torn();
+    }
+
+    /** How many bytes there are up to the end of the line that was read last. */
+    public long end() {
+        return lines.end();
+    }
+
+    @Override
+    public void close() throws IOException {
+        lines.close();
+    }
+}

@@ -1,0 +1,18 @@
+package handover.simulation;
+
+import handover.belief.HandoverBelief;
+import handover.domain.Gesture;
+import handover.domain.Speech;
+
+/**
+ * Something that the simulated human said or showed; one of {@code speech} and {@code gesture} is null. Immutable.
+ *
+ * @param at when it was said or shown, seconds since the start of the episode: against the act of this time it is weighed
+ * @param arrives when the robot's sensors report it, at or after {@code at}
+ */
+public record Arrival(double at, double arrives, Speech speech, Gesture gesture) {
+
+    HandoverBelief correct(HandoverBelief belief) {
+        return speech == null ? belief.saw(gesture) : belief.heard(speech);
+    }
+}

@@ -1,0 +1,162 @@
+package handover.bridge;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import handover.domain.DomainSpec;
+import handover.domain.Frame;
+import handover.domain.HandoverDomain;
+import handover.domain.TableObject;
+import handover.io.DomainFiles;
+import handover.io.Messages;
+import handover.io.WireCode;
+import handover.io.WireException;
+import handover.math.Vector3;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+
+/** When something was sensed, and where: the rules of PROTOCOL.md about time, order and frames. */
+class SessionTest {
+    private static final DomainSpec SPEC = DomainFiles.read("table-line-6").with(s -> s.frames = Map.of("camera",
+            new Frame(List.of(List.of(0.0, -1.0, 0.0), List.of(1.0, 0.0, 0.0), List.of(0.0, 0.0, 1.0)),
+                    new Vector3(0.15, 1.4, 0.35))));
+    private static final HandoverDomain DOMAIN = DomainFiles.domain(SPEC);
+
+    private final Session session = Session.of(DOMAIN, 1, 2);
+
+    private Session.Outcome at(double arrival, String json) {
+        return session.apply(Messages.decode(json.replace('\'', '"').getBytes(StandardCharsets.UTF_8)), arrival,
+                Session.Journal.NONE);
+    }
+
+    private WireCode refused(double arrival, String json) {
+        Snapshot before = session.now();
+        WireCode code = assertThrows(WireException.class, () -> at(arrival, json)).code();
+        assertSame(before, session.now());
+        return code;
+    }
+
+    private double red() {
+        return session.now().belief().probabilities()[1];
+    }
+
+    @Test
+    void lateSpeechIsWeighedWhereItWasSaid() {
+        at(100, "{'v':1,'type':'begin'}");
+        at(101, "{'v':1,'type':'acted','act':'ASK','objects':['red_ball'],'status':'started','t':101}");
+        at(103, "{'v':1,'type':'acted','act':'ASK','objects':['blue_ball'],'status':'started','t':103}");
+        at(103.5, "{'v':1,'type':'speech','text':'yes','t':102.9}");
+        double yes = red();
+        assertTrue(yes > 0.9, "the yes was to the red ball: " + yes);
+        at(103.6, "{'v':1,'type':'speech','text':'no','t':103.1}");
+        assertTrue(red() > yes, "the no was to the blue ball: " + red());
+        assertEquals(WireCode.STALE, refused(104, "{'v':1,'type':'speech','text':'no','t':101.9}"), "older than 2 s");
+        assertEquals(WireCode.STALE, refused(104, "{'v':1,'type':'gesture','hand':[0,1,1],'shoulder':[0,0,1],'t':0}"));
+        assertEquals(5, session.now().version());
+    }
+
+    @Test
+    void nobodyIsAheadOfTheirTime() {
+        at(100, "{'v':1,'type':'begin','t':200}");
+        at(101, "{'v':1,'type':'acted','act':'ASK','objects':['red_ball'],'status':'started','t':1e10}");
+        at(101.1, "{'v':1,'type':'speech','text':'yes','t':101.05}");
+        assertTrue(red() > 0.9, "a robot whose clock is ahead does not make everything stale");
+        at(101.2, "{'v':1,'type':'speech','text':'red','t':1e10}");
+        assertEquals(4, session.now().version());
+    }
+
+    @Test
+    void theClockMayBeSetBack() {
+        at(5000, "{'v':1,'type':'begin'}");
+        at(5001, "{'v':1,'type':'acted','act':'ASK','objects':['red_ball'],'status':'started'}");
+        at(1001.5, "{'v':1,'type':'speech','text':'yes','t':1001.4}");
+        assertTrue(red() > 0.9, "it is still about the question");
+        at(1002, "{'v':1,'type':'acted','act':'ASK','objects':['blue_ball'],'status':'started'}");
+        at(1002.1, "{'v':1,'type':'speech','text':'red','t':1001.9}");
+        assertEquals(5, session.now().version());
+    }
+
+    @Test
+    void whatWasSensedBeforeTheEpisodeIsStale() {
+        at(100, "{'v':1,'type':'begin'}");
+        assertEquals(WireCode.STALE, refused(100.5, "{'v':1,'type':'speech','text':'red','t':99.5}"));
+        at(101, "{'v':1,'type':'end'}");
+        assertEquals(WireCode.NO_EPISODE, refused(101, "{'v':1,'type':'speech','text':'red'}"));
+        assertEquals(WireCode.NO_EPISODE, refused(101, "{'v':1,'type':'speech','text':'red','final':false}"));
+    }
+
+    @Test
+    void framesOfTheDomainFileAreMapped() {
+        at(100, "{'v':1,'type':'begin'}");
+        at(100, "{'v':1,'type':'gesture','frame':'camera','shoulder':[0,0,0],'hand':[-0.5,-0.14,-0.26]}");
+        double[] mapped = session.now().belief().probabilities();
+        at(101, "{'v':1,'type':'begin'}");
+        at(101, "{'v':1,'type':'gesture','shoulder':[0.15,1.4,0.35],'hand':[0.29,0.9,0.09]}");
+        for (int i = 0; i < mapped.length; i++) {
+            assertEquals(session.now().belief().probabilities()[i], mapped[i], 1e-12);
+        }
+        at(102, "{'v':1,'type':'scene','frame':'camera','objects':[{'name':'red_ball','position':[-0.7,0.1,-0.3]}]}");
+        assertEquals(0, session.table().objects().get(1).position().minus(new Vector3(0.05, 0.7, 0.05)).norm(), 1e-12);
+        assertEquals(WireCode.UNKNOWN_FRAME, refused(103,
+                "{'v':1,'type':'scene','frame':'kinect','objects':[{'name':'red_ball','position':[0,1,0]}]}"));
+    }
+
+    @Test
+    void ofTwoArmsTheOneThatPointsCounts() {
+        String skeleton = "{'v':1,'type':'gesture','side':'%s','joints':{'SHOULDER_LEFT':[0.4,1.4,0.35],'HAND_LEFT':[0.4,1.4,-0.4],"
+                + "'SHOULDER_RIGHT':[0.15,1.4,0.35],'HAND_RIGHT':[0.29,0.9,0.09]}}";
+        at(100, "{'v':1,'type':'begin'}");
+        at(100, skeleton.formatted("best"));
+        double best = red();
+        at(101, "{'v':1,'type':'begin'}");
+        at(101, skeleton.formatted("right"));
+        assertEquals(best, red());
+        at(102, "{'v':1,'type':'begin'}");
+        at(102, skeleton.formatted("left"));
+        assertFalse(red() == best);
+    }
+
+    @Test
+    void idsAreRememberedBySourceAndForgottenInTime() {
+        at(100, "{'v':1,'type':'begin'}");
+        assertTrue(at(100, "{'v':1,'type':'speech','text':'red','id':'1','source':'a'}").applied());
+        for (int k = 0; k < 1000; k++) {
+            at(100, "{'v':1,'type':'speech','text':'x','id':'" + k + "','source':'b'}");
+        }
+        assertFalse(at(100, "{'v':1,'type':'speech','text':'red','id':'1','source':'a'}").applied(), "b does not push a out");
+        for (int k = 0; k < SeenIds.IDS; k++) {
+            at(100, "{'v':1,'type':'speech','text':'x','id':'n" + k + "','source':'a'}");
+        }
+        assertTrue(at(100, "{'v':1,'type':'speech','text':'red','id':'1','source':'a'}").applied());
+    }
+
+    @Test
+    void handedOverObjectsAreBackInTheNextEpisode() {
+        at(100, "{'v':1,'type':'begin'}");
+        at(101, "{'v':1,'type':'acted','act':'PICK','objects':['red_ball'],'status':'completed','pick':'accepted'}");
+        at(102, "{'v':1,'type':'scene','objects':[{'name':'red_ball','position':[0,0.5,0]}]}");
+        assertEquals(5, session.now().belief().scene().size(), "what is in the hand of the human is not on the table");
+        at(103, "{'v':1,'type':'end'}");
+        at(104, "{'v':1,'type':'begin'}");
+        List<TableObject> objects = session.now().belief().scene().objects();
+        assertEquals(new Vector3(0, 0.5, 0), objects.get(1).position());
+        assertEquals(6, objects.size());
+    }
+
+    @Test
+    void aJournalThatFailsKeepsTheBelief() {
+        at(100, "{'v':1,'type':'begin'}");
+        Snapshot before = session.now();
+        assertThrows(IllegalStateException.class, () -> session.apply(Messages.decode(
+                "{\"v\":1,\"type\":\"speech\",\"text\":\"red\",\"id\":\"1\"}".getBytes(StandardCharsets.UTF_8)), 101, outcome -> {
+                    throw new IllegalStateException("the disk is full");
+                }));
+        assertSame(before, session.now());
+        assertTrue(at(101, "{'v':1,'type':'speech','text':'red','id':'1'}").applied(), "and it may be sent again");
+    }
+}
