@@ -20,7 +20,7 @@ public record ActEffect(ActModel model, Task during, double reward, boolean comp
 
     /** The rest of the step once the pick completed and the table is as in {@code after}: nobody answers. */
     public ActEffect once(Task after) {
-        return new ActEffect(model, after, reward, completes, null, after.scene().silence(), 1, null);
+        return new ActEffect(model, after, reward, false, null, after.scene().silence(), 1, null);
     }
 
     /** The rest of the step on another table; that of a WAIT if what the act is about is not there any more. */

@@ -1,5 +1,6 @@
 package handover.solver;
 
+import handover.belief.HandoverBelief;
 import handover.domain.HandoverDomain;
 import java.util.List;
 import java.util.random.RandomGenerator;
@@ -41,18 +42,21 @@ public record Anytime(int horizon, int draws) implements Solver {
                 h == horizon ? 0 : SLACK)).toList();
     }
 
-    private final class Raced<N> implements Searches.Search<N> {
-        private final BeliefMdp<N> mdp;
+    private final class Raced<N> implements Searches.Search {
+        private final BeliefSearch<N> mdp;
+        private final N root;
         private final Racing<N> racing;
 
-        Raced(BeliefMdp<N> mdp, int acts) {
+        Raced(BeliefSearch<N> mdp, int acts) {
             this.mdp = mdp;
+            root = mdp.node();
             racing = new Racing<>(mdp, races(), acts);
         }
 
         @Override
-        public Searches.Result search(N root, Deadline deadline, long seed, double[] q) {
+        public Searches.Result search(HandoverBelief belief, Deadline deadline, long seed, double[] q) {
             long before = racing.nodes();
+            mdp.load(root, belief);
             int best = racing.run(root, seed, deadline, q);
             double upper = IntStream.range(0, q.length).mapToDouble(a -> mdp.bound(root, a)).max().orElseThrow();
             Bounds bounds = upper == Double.POSITIVE_INFINITY ? null : new Bounds(Math.min(racing.lower(), upper), upper);

@@ -9,6 +9,9 @@ interface BeliefSearch<N> extends BeliefMdp<N> {
     /** Fills a node (modified) with a belief. */
     void load(N node, HandoverBelief belief);
 
+    /** Another one for another thread, which shares what is computed once for a table. */
+    BeliefSearch<N> another();
+
     /** The search for beliefs over at most the objects of {@code largest}: over minds only where they are uncertain. */
     static BeliefSearch<?> of(Scene largest, ConcurrentMap<Scene, Evidence> evidence) {
         HandoverSearch plain = new HandoverSearch(largest, evidence);

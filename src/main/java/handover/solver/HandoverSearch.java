@@ -22,12 +22,13 @@ import java.util.random.RandomGenerator;
  * one thread at a time.
  */
 public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
+    private final Scene largest;
     private final HandoverDomain domain;
     private final int capacity;
     private final int actCapacity;
     /** Whether what is wanted may change while the robot acts; the bounds then do not hold. */
     private final boolean moves;
-    private final Map<Scene, Evidence> evidence;
+    private final ConcurrentMap<Scene, Evidence> evidence;
     private final Map<Scene, CommitOrWait> commitOrWait = new HashMap<>();
 
     /**
@@ -36,6 +37,7 @@ public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
      * @param evidence cache that searches on any thread may share
      */
     HandoverSearch(Scene largest, ConcurrentMap<Scene, Evidence> evidence) {
+        this.largest = largest;
         this.evidence = evidence;
         this.domain = largest.domain();
         this.capacity = largest.size();
@@ -105,6 +107,11 @@ public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
     @Override
     public double discount() {
         return domain.discount();
+    }
+
+    @Override
+    public HandoverSearch another() {
+        return new HandoverSearch(largest, evidence);
     }
 
     HandoverDomain domain() {

@@ -104,6 +104,11 @@ final class NestedSearch implements BeliefSearch<NestedSearch.Node> {
     }
 
     @Override
+    public NestedSearch another() {
+        return new NestedSearch(plain.another(), limit);
+    }
+
+    @Override
     public double discount() {
         return plain.discount();
     }

@@ -20,19 +20,19 @@ final class Searches implements Policy {
     /** What is kept about tables is dropped when there are more of them: where objects keep moving, old ones do not return. */
     private static final int MOST_SCENES = 256;
 
-    /** One thread's buffers for one table. */
-    interface Search<N> {
+    /** The buffers of one decision at a time, for one table. */
+    interface Search {
         /**
          * Fills in the values of all acts.
          *
          * @param q modified
          */
-        Result search(N root, Deadline deadline, long seed, double[] q);
+        Result search(HandoverBelief belief, Deadline deadline, long seed, double[] q);
     }
 
     /** Makes a search. */
     interface Maker {
-        <N> Search<N> search(BeliefMdp<N> mdp, int acts);
+        <N> Search search(BeliefSearch<N> mdp, int acts);
     }
 
     /**
@@ -44,15 +44,15 @@ final class Searches implements Policy {
 
     private final Maker make;
     private final ConcurrentMap<Scene, Evidence> evidence = new ConcurrentHashMap<>();
-    private final ConcurrentMap<Scene, ConcurrentLinkedDeque<Borrowed<?>>> idle = new ConcurrentHashMap<>();
+    private final ConcurrentMap<Scene, ConcurrentLinkedDeque<Borrowed>> idle = new ConcurrentHashMap<>();
 
     /** @param first the table of the first decision, for which it shall not wait */
     Searches(Scene first, Maker make) {
         this.make = make;
-        idle(first).add(borrowed(first));
+        idle(first).add(new Borrowed(first));
     }
 
-    private ConcurrentLinkedDeque<Borrowed<?>> idle(Scene scene) {
+    private ConcurrentLinkedDeque<Borrowed> idle(Scene scene) {
         return idle.computeIfAbsent(scene, s -> new ConcurrentLinkedDeque<>());
     }
 
@@ -62,10 +62,10 @@ final class Searches implements Policy {
             evidence.clear();
             idle.clear();
         }
-        ConcurrentLinkedDeque<Borrowed<?>> free = idle(belief.scene());
-        Borrowed<?> search = free.pollFirst();
+        ConcurrentLinkedDeque<Borrowed> free = idle(belief.scene());
+        Borrowed search = free.pollFirst();
         if (search == null) {
-            search = borrowed(belief.scene());
+            search = new Borrowed(belief.scene());
         }
         try {
             return search.decide(belief, deadline, random.nextLong());
@@ -74,26 +74,17 @@ final class Searches implements Policy {
         }
     }
 
-    private Borrowed<?> borrowed(Scene scene) {
-        return new Borrowed<>(BeliefSearch.of(scene, evidence), scene.acts().size());
-    }
-
-    private final class Borrowed<N> {
-        private final BeliefSearch<N> mdp;
-        private final N root;
-        private final Search<N> search;
+    private final class Borrowed {
+        private final Search search;
         private final double[] q;
 
-        Borrowed(BeliefSearch<N> mdp, int acts) {
-            this.mdp = mdp;
-            root = mdp.node();
-            search = make.search(mdp, acts);
-            q = new double[acts];
+        Borrowed(Scene scene) {
+            q = new double[scene.acts().size()];
+            search = make.search(BeliefSearch.of(scene, evidence), q.length);
         }
 
         Decision decide(HandoverBelief belief, Deadline deadline, long seed) {
-            mdp.load(root, belief);
-            Result result = search.search(root, deadline, seed, q);
+            Result result = search.search(belief, deadline, seed, q);
             List<ActModel> acts = belief.scene().acts();
             Map<Act, Double> values = new LinkedHashMap<>();
             acts.forEach(m -> values.put(m.act(), q[m.index()]));

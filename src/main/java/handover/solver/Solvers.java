@@ -13,9 +13,9 @@ import java.util.function.Function;
  */
 public final class Solvers {
     private static final List<Entry> ALL = List.of(
-            new Entry("poss", "looks H=3 acts ahead with C=10 samples; leaf=policy or zero",
-                    List.of("H", "C", "leaf"), p -> new Poss(p.count("H", 3, 100), p.count("C", 10, 1_000_000),
-                            p.choice("leaf", "policy", "zero").equals("policy"))),
+            new Entry("poss", "looks H=3 acts ahead with C=10 samples; leaf=policy or zero; threads=1",
+                    List.of("H", "C", "leaf", "threads"), p -> new Poss(p.count("H", 3, 100), p.count("C", 10, 1_000_000),
+                            p.choice("leaf", "policy", "zero").equals("policy"), p.count("threads", 1, 1024))),
             new Entry("anytime", "races the acts: all 2 acts ahead, the best of them H=3 acts ahead with C=128 draws; for deadlines",
                     List.of("H", "C"), p -> new Anytime(p.count("H", 3, 10), p.count("C", 128, 100_000))),
             new Entry("threshold", "waits until one object has probability p=0.9, then hands it over",

@@ -55,9 +55,14 @@ public final class SparseSampling<N> {
      * @return false if the deadline passed first: then {@code q} is undefined
      */
     public boolean values(N root, int horizon, long seed, Deadline limit, double[] q) {
+        return values(root, horizon, seed, limit, q, 0, 1);
+    }
+
+    /** The same for the acts {@code first}, {@code first + step} and so on; the other entries of {@code q} are left as they are. */
+    boolean values(N root, int horizon, long seed, Deadline limit, double[] q, int first, int step) {
         begin(horizon, limit);
         int acts = mdp.acts(root);
-        for (int a = 0; a < acts && !stopped; a++) {
+        for (int a = first; a < acts && !stopped; a += step) {
             q[a] = actValue(root, a, horizon, seed);
         }
         return !stopped;

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -63,6 +64,8 @@ class BeliefTrackerTest {
         assertSameBelief(BeliefTracker.of(START).started(ASK).completed(ASK, PickSignal.NONE).now(),
                 BeliefTracker.of(START).completed(ASK, PickSignal.NONE).now(), "ASK");
         BeliefTracker picked = BeliefTracker.of(START).completed(PICK, PickSignal.REJECTED);
+        assertTrue(START.after(PICK).pickPending());
+        assertFalse(picked.now().pickPending(), "the outcome is known");
         assertSameBelief(START.after(PICK).picked(false), picked.now(), "PICK");
         assertEquals(0, picked.now().probabilities()[0], 0, "a is not it");
     }

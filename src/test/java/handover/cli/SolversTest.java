@@ -59,10 +59,10 @@ class SolversTest {
             implements handover.solver.Solver
             `` | expected one of poss, anytime, threshold, confirm, heuristic, greedy, qmdp, burlap, random, clairvoyant, or the full name of a class that \
             implements handover.solver.Solver
-            poss: | expected key=value with keys from H, C, leaf, got nothing after the colon
-            poss:H | expected key=value with keys from H, C, leaf, got "H"
-            poss:H=2, | expected key=value with keys from H, C, leaf, got ""
-            poss:h=2 | expected key=value with keys from H, C, leaf, got "h=2"
+            poss: | expected key=value with keys from H, C, leaf, threads, got nothing after the colon
+            poss:H | expected key=value with keys from H, C, leaf, threads, got "H"
+            poss:H=2, | expected key=value with keys from H, C, leaf, threads, got ""
+            poss:h=2 | expected key=value with keys from H, C, leaf, threads, got "h=2"
             poss:H=2,H=3 | expected H once, got it twice
             poss:H=0 | H: expected a whole number from 1 to 100, got "0"
             poss:H=99999999999 | H: expected a whole number from 1 to 100, got "99999999999"

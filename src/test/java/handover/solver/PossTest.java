@@ -119,6 +119,15 @@ class PossTest {
     }
 
     @Test
+    void threadsChangeNothing() {
+        HandoverDomain domain = new HandoverDomain(DomainFiles.read("table-line-6"));
+        Decision alone = decide(new Poss(3, 3, true), domain, later(domain), 5);
+        for (int threads : new int[] {2, 3, 100}) {
+            assertEquals(alone, decide(new Poss(3, 3, true, threads), domain, later(domain), 5), threads + " threads");
+        }
+    }
+
+    @Test
     void deepensUntilTheDeadlinePassesAndAlwaysDecides() {
         HandoverDomain domain = new HandoverDomain(DomainFiles.read("table-line-6"));
         Policy policy = new Poss(6, 5, true).solve(domain, new SplittableRandom(0));
@@ -168,6 +177,7 @@ class PossTest {
     void refusesAHorizonOrWidthBelowOne() {
         assertThrows(IllegalArgumentException.class, () -> new Poss(0, 5, true));
         assertThrows(IllegalArgumentException.class, () -> new Poss(3, 0, true));
+        assertThrows(IllegalArgumentException.class, () -> new Poss(3, 5, true, 0));
     }
 
     private static Decision decide(Solver solver, HandoverDomain domain, HandoverBelief belief, long seed) {
