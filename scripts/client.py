@@ -46,7 +46,7 @@ zmq = need("zmq", "pip install -r scripts/requirements.txt")
 class Refused(Exception):
     """The bridge answered with an error.
 
-    code: one of the protocol's, such as "bad_field"; path: the field, such as "hand[1]"
+    code: one of the protocol's, such as "bad_field", or "superseded"; path: the field, such as "hand[1]"
     """
 
     def __init__(self, reply: Dict[str, Any]):
@@ -125,6 +125,8 @@ class Bridge:
                 reply = json.loads(self._command.recv_multipart()[-1])
                 if reply.get("re") != message["id"] or attempt and reply["type"] == "superseded":
                     continue  # it is about an earlier try
+                if reply["type"] == "superseded":
+                    raise Refused({"code": "superseded", "message": "another decide came before this one was answered"})
                 if reply["type"] == "error":
                     raise Refused(reply)
                 return reply

@@ -5,7 +5,7 @@
     scripts/load.py decide      milliseconds by which replies come after their deadline, with four sources of 30 gestures a second
     scripts/load.py stream      messages pushed, applied, shed and refused, and the bridge's memory, second by second
 
-Run it on the machine of the bridge, with a solver that uses its whole deadline (poss:H=9,C=10, say) for decide.
+For decide, run a bridge that needs its whole deadline: kitchen-20 --solver poss:H=5,C=10, say.
 """
 import json
 import multiprocessing
@@ -52,7 +52,7 @@ def speech(bridge: Bridge, count: int) -> List[float]:
     """Milliseconds from before an utterance is sent until the event with the belief after it is there."""
     bridge.subscribe("belief", "heartbeat")
     bridge.next_event()
-    words = sorted({w for o in bridge.hello()["objects"] for w in o.get("words", {"red": 1})})
+    words = sorted({w for o in bridge.hello()["objects"] for w in o["words"]})
     taken = []
     for k in range(count):
         if k % PER_EPISODE == 0:
@@ -70,7 +70,7 @@ def speech(bridge: Bridge, count: int) -> List[float]:
 
 def decide(bridge: Bridge, given) -> List[float]:
     """Milliseconds by which replies came later than their deadline; 0 for those that came before it."""
-    bridge.ask("begin")
+    bridge.ask("begin")  # else the gestures are refused
     stop = multiprocessing.get_context("spawn").Event()
     sensors = [multiprocessing.get_context("spawn").Process(target=gestures, args=(given.bridge, f"kinect-{k}", stop), daemon=True)
                for k in range(SOURCES)]
@@ -78,9 +78,8 @@ def decide(bridge: Bridge, given) -> List[float]:
         sensor.start()
     time.sleep(2)
     late = []
-    for k in range(given.count):
-        if k % PER_EPISODE == 0:
-            bridge.ask("begin")
+    for _ in range(given.count):
+        bridge.ask("begin")  # where nothing is known yet, planning takes longest
         start = time.perf_counter()
         bridge.ask("decide", deadline_ms=DEADLINE_MS)
         late.append(max(0.0, (time.perf_counter() - start) * 1000 - DEADLINE_MS))

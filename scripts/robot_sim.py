@@ -13,7 +13,6 @@ import client
 from client import Bridge, zmq
 from sensor_sim import HAND
 
-DURATIONS = {"WAIT": 1.0, "LOOK": 1.0, "POINT": 2.0, "ASK": 2.5, "PICK": 4.0}
 PATIENCE = 10.0  # seconds that the person may take to decide
 
 
@@ -32,7 +31,8 @@ def main() -> int:
         for _ in range(given.acts):
             if robot.act(bridge.ask("decide", deadline_ms=given.deadline_ms)):
                 break
-        print("end:", json.dumps(bridge.ask("end")), flush=True)
+        end = bridge.ask("end")
+        print(f"end: {end['handovers']} handed over, {end['acts']} acts", flush=True)
         return 0 if robot.handed_over else 1
 
 
@@ -42,8 +42,7 @@ class Robot:
     def __init__(self, bridge: Bridge, offer: Callable[[str], bool], scale: float):
         welcome = bridge.hello()
         self.bridge, self.offer, self.scale = bridge, offer, scale
-        self.durations = {**DURATIONS, **{k.upper(): v for k, v in welcome.get("durations", {}).items()}}
-        self.increments = welcome.get("increments", 1)
+        self.durations, self.increments = welcome["durations"], welcome["increments"]
         self.handed_over = 0
 
     def act(self, decision: Dict[str, Any]) -> bool:
@@ -53,7 +52,7 @@ class Robot:
               f" after {decision['ms']:.0f} ms", flush=True)
         picks = act == "PICK"
         self.bridge.acted(decision, "started")
-        time.sleep(self.scale * self.durations.get(act, 1.0) / (self.increments if picks else 1))
+        time.sleep(self.scale * self.durations[act] / (self.increments if picks else 1))
         if not picks:
             self.bridge.acted(decision, "completed")
             return False

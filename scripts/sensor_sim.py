@@ -35,10 +35,7 @@ def main() -> int:
     given = parser.parse_args()
     with client.connect(given, "person") as bridge:
         view = read_json(given.domain) if given.domain else bridge.hello()
-        own = merged({k: view[k] for k in ("shoulder",) if k in view} if not given.domain else view,
-                     read_json(given.human) if given.human else {})
-        if any("words" not in o for o in view["objects"]):
-            client.fail("the bridge does not tell the objects' words; expected --domain")
+        own = merged(view if given.domain else {"shoulder": view["shoulder"]}, read_json(given.human) if given.human else {})
         person = Person(view["objects"], own, random.Random(given.seed), given.wants)
         return Simulation(bridge, person, given.scale, random.Random(given.seed + 1)).run(given.hand, given.handovers)
 

@@ -48,7 +48,8 @@ def listen(given: Any, domain: Dict[str, Any], bridge: Optional[client.Bridge]) 
     heard = 0
     for text, ago in recogniser.utterances(sound):
         heard += 1
-        reply = bridge.ask("speech", text=text, t=time.time() - ago) if bridge else {}
+        when = {} if given.wav else {"t": time.time() - ago}  # a file is as if it were said now
+        reply = bridge.ask("speech", text=text, **when) if bridge else {}
         print(f'heard "{text}"' + (f", belief {reply['belief']}" if bridge else ""), flush=True)
     if not heard and given.wav:
         print(f"{given.wav}: nothing was heard", file=sys.stderr)

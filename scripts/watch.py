@@ -47,7 +47,8 @@ class View:
         about = f"{event.get('act', '')}({','.join(event.get('objects') or [])})" if topic in ("decision", "act") else ""
         self.note({"decision": f"decided {about} in {event.get('ms', 0):.0f} ms",
                    "act": f"{event.get('status', '')} {about}{_signal(event)}",
-                   "error": f"error {event.get('code')}: {event.get('message')}",
+                   "error": f"error {event.get('code')}: {event.get('message')}" if event.get("type") != "silent"
+                   else f"{event.get('source')} has been silent for long",
                    "scene": "the table changed",
                    "episode": f"episode: {event.get('event', '')}"}.get(topic, ""))
 

@@ -60,6 +60,13 @@ class ClientTest(unittest.TestCase):
                 bridge.ask("gesture")
         self.assertEqual(("bad_field", "hand[1]"), (raised.exception.code, raised.exception.path))
 
+    def test_a_superseded_decision_is_an_error_but_not_if_one_superseded_it_oneself(self):
+        superseded, decision = {"type": "superseded"}, {"type": "decision", "act": "WAIT"}
+        with Answering([superseded]) as other, Bridge(other.address) as bridge, self.assertRaisesRegex(Refused, "superseded: another"):
+            bridge.ask("decide")
+        with Answering([], [superseded, decision]) as other, Bridge(other.address, timeout=0.3) as bridge:
+            self.assertEqual("WAIT", bridge.ask("decide")["act"])
+
     def test_silence_is_an_error(self):
         with Bridge("tcp://127.0.0.1:1", timeout=0.05) as bridge, self.assertRaisesRegex(NoAnswer, "3 x 0.05 s"):
             bridge.ask("state")

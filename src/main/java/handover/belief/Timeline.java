@@ -10,7 +10,7 @@ import java.util.function.UnaryOperator;
  * at most {@value #MOST} events. Immutable, thread safe.
  */
 public final class Timeline {
-    private static final int MOST = 4000;
+    private static final int MOST = 1000;
 
     private final BeliefTracker now;
     /** The newest event that is remembered; null if none is. */

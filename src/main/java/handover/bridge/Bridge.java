@@ -31,10 +31,10 @@ public final class Bridge implements AutoCloseable {
     /** Larger frames are not even taken off the wire; smaller ones are answered with what is wrong with them. */
     private static final long LARGEST_FRAME = 16L << 20;
     private static final String WAKE = "inproc://wake";
-    /** So many requests are answered, messages taken from the stream, and applied, before the others have their turn. */
+    /** So many requests are answered and messages taken from the stream, and for so long applied, before the others' turn. */
     private static final int REQUESTS = 64;
     private static final int STREAMED = 200;
-    private static final int WORK = 32;
+    private static final long WORK_NANOS = 1_000_000;
     /** What was said last may take so long to get out, in milliseconds. */
     private static final int LAST_WORDS_MS = 300;
     private static final long MILLI = 1_000_000;
@@ -94,6 +94,7 @@ public final class Bridge implements AutoCloseable {
         security.check(address);
         ZMQ.Socket socket = context.createSocket(type);
         security.secure(socket);
+        socket.setLinger(LAST_WORDS_MS);
         socket.setMaxMsgSize(LARGEST_FRAME);
         address.bind(socket);
         return socket;
@@ -175,7 +176,7 @@ public final class Bridge implements AutoCloseable {
             }
         }
         feeds.forEach(f -> f.work(service));
-        boolean more = service.work(WORK);
+        boolean more = service.work(WORK_NANOS);
         service.tick();
         return more;
     }

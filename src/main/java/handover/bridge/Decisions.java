@@ -65,10 +65,14 @@ final class Decisions {
         }
     }
 
-    /** A client asks. */
+    /** A client asks; who asks again with the same id waits for the same decision. */
     void decide(Client client, WireMessage.Decide message) {
         WireMessage.Envelope envelope = message.envelope();
-        if (pending != null) {
+        if (pending != null && envelope.id() != null && envelope.id().equals(pending.envelope.id())
+                && envelope.source().equals(pending.envelope.source())) {
+            pending = new Pending(client, envelope, pending.job);
+            return;
+        } else if (pending != null) {
             vitals.count("superseded");
             Pending before = drop();
             answers.reply(before.client, Replies.superseded(before.envelope.id()));

@@ -11,7 +11,6 @@ import handover.io.WireException;
 import handover.io.WireMessage;
 import handover.solver.Policy;
 import handover.solver.Replan;
-import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.DoubleSupplier;
 import java.util.function.LongSupplier;
@@ -114,9 +113,10 @@ final class Service implements AutoCloseable {
         }
     }
 
-    /** Applies some messages of the stream, at most so many; whether any is left. */
-    boolean work(int most) {
-        for (int k = 0; k < most && queue.size() > 0; k++) {
+    /** Applies messages of the stream for at most so long; whether any is left. */
+    boolean work(long nanos) {
+        long start = nanoClock.getAsLong();
+        while (queue.size() > 0 && nanoClock.getAsLong() - start < nanos) {
             StreamQueue.Waiting waiting = queue.poll();
             try {
                 apply(waiting.message(), waiting.raw(), null, waiting.nanos());
@@ -261,8 +261,7 @@ final class Service implements AutoCloseable {
     }
 
     private void beat(double now) {
-        outbox.publish(Topics.HEARTBEAT, () -> vitals.heartbeat(now, published,
-                Map.of("stream", (long) queue.size(), "stream_bytes", queue.bytes())));
+        outbox.publish(Topics.HEARTBEAT, () -> vitals.heartbeat(now, published, queue.size(), queue.bytes()));
         for (String source : vitals.sources().silent(now, sourceTimeout)) {
             LOG.warn("source {} has been silent for {} s", source, sourceTimeout);
             outbox.publish(Topics.ERROR, () -> Events.silent(source, vitals.sources().lastSeen().get(source), now));

@@ -14,7 +14,7 @@ final class Subscriptions {
             return;
         }
         String prefix = new String(message, 1, message.length - 1, StandardCharsets.UTF_8);
-        if (message[0] == 1) {
+        if (message[0] == 1 && Topics.ALL.stream().anyMatch(t -> t.startsWith(prefix))) {
             prefixes.add(prefix);
         } else if (message[0] == 0) {
             prefixes.remove(prefix);

@@ -1,5 +1,7 @@
 package handover.bridge;
 
+import java.util.List;
+
 /** What events are published under (PROTOCOL.md). */
 final class Topics {
     static final String BELIEF = "belief";
@@ -9,6 +11,8 @@ final class Topics {
     static final String HEARTBEAT = "heartbeat";
     static final String SCENE = "scene";
     static final String EPISODE = "episode";
+
+    static final List<String> ALL = List.of(BELIEF, DECISION, ACT, ERROR, HEARTBEAT, SCENE, EPISODE);
 
     private Topics() {}
 }

@@ -48,8 +48,15 @@ final class Vitals {
         late.add(Math.max(0, nanos - limit));
     }
 
-    /** The event that is published every second. */
-    String heartbeat(double now, Snapshot at, Map<String, Long> queues) {
+    /**
+     * The event that is published every second.
+     *
+     * @param waiting messages of the stream, and how many bytes they are
+     */
+    String heartbeat(double now, Snapshot at, long waiting, long bytes) {
+        Map<String, Long> queues = new LinkedHashMap<>();
+        queues.put("stream", waiting);
+        queues.put("stream_bytes", bytes);
         Map<String, double[]> latencies = new LinkedHashMap<>();
         latencies.put("apply", applying.quantiles(0.5, 0.99));
         latencies.put("decide", deciding.quantiles(0.5, 0.99));

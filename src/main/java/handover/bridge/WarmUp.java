@@ -52,7 +52,7 @@ final class WarmUp {
         say(service, "\"type\":\"begin\"");
         say(service, "\"type\":\"speech\",\"text\":\"" + about.name() + "\"");
         service.stream(bytes("\"type\":\"gesture\",\"hand\":[0,0.5,0.1],\"shoulder\":[0,1,0]"));
-        service.work(1);
+        service.work(NANOS);
         say(service, "\"type\":\"decide\"");
         Planner.Plan plan = plans.poll((long) (2 * DECIDE_MS), TimeUnit.MILLISECONDS);
         if (plan != null) {

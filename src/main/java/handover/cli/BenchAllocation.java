@@ -20,8 +20,8 @@ final class BenchAllocation implements BenchPart {
     private String domain;
 
     @Option(names = "--allocation-solver", paramLabel = "SPEC[@MS]", description = "allocation: a solver; give each with a small and a "
-            + "large budget (default: poss:H=2,C=5; poss:H=2,C=20; qmdp; confirm).")
-    private List<String> solvers = List.of("poss:H=2,C=5", "poss:H=2,C=20", "qmdp", "confirm");
+            + "large budget (default: poss:H=2,C=5; poss:H=2,C=20; anytime@5/20; qmdp; confirm).")
+    private List<String> solvers = List.of("poss:H=2,C=5", "poss:H=2,C=20", "anytime@5/20", "qmdp", "confirm");
 
     @Override
     public String name() {

@@ -26,8 +26,8 @@ final class BenchReturn implements BenchPart {
     private List<String> domains;
 
     @Option(names = "--return-solver", paramLabel = "SPEC[@MS]", description = "return: a solver, with a limit or several; the first "
-            + "is compared with the others (default: poss:H=10,C=10@20; the baselines).")
-    private List<String> solvers = List.of("poss:H=10,C=10@20", "qmdp", "confirm", "heuristic", "greedy", "threshold:p=0.9");
+            + "is compared with the others (default: anytime@20; poss:H=10,C=10@20; the baselines).")
+    private List<String> solvers = List.of("anytime@20", "poss:H=10,C=10@20", "qmdp", "confirm", "heuristic", "greedy", "threshold:p=0.9");
 
     @Option(names = "--episodes", defaultValue = "100", description = "return: episodes of each solver (default: ${DEFAULT-VALUE}).")
     private int episodes;

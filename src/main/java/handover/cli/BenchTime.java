@@ -24,8 +24,8 @@ final class BenchTime implements BenchPart {
     private List<Integer> objects;
 
     @Option(names = "--time-solver", paramLabel = "SPEC[@MS]", description = "time: a solver, with a limit in milliseconds or several "
-            + "(as @5/20/50); several times for several (default: poss:H=1,C=10; poss:H=2,C=5; poss:H=2,C=10; poss:H=10,C=10@5/20/50; qmdp).")
-    private List<String> solvers = List.of("poss:H=1,C=10", "poss:H=2,C=5", "poss:H=2,C=10", "poss:H=10,C=10@5/20/50", "qmdp");
+            + "(as @5/20/50); several times for several (default: poss:H=1,C=10; poss:H=2,C=5; poss:H=2,C=10; anytime@5/20/50; qmdp).")
+    private List<String> solvers = List.of("poss:H=1,C=10", "poss:H=2,C=5", "poss:H=2,C=10", "anytime@5/20/50", "qmdp");
 
     @Override
     public String name() {

@@ -4,6 +4,7 @@ import handover.bridge.BridgeException;
 import handover.io.DomainFileException;
 import handover.io.EpisodeLogException;
 import handover.io.PolicyFileException;
+import handover.io.PomdpFileException;
 import handover.solver.Solvers;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
@@ -74,6 +75,8 @@ public final class Main implements Runnable {
                 .addSubcommand(new CommandLine(new BridgeCommand(console)).addSubcommand(new BridgeKeygen(console)))
                 .addSubcommand(new Bench(console))
                 .addSubcommand(new Precompute(console))
+                .addSubcommand(new Solve(console))
+                .addSubcommand(new Export(console))
                 .addSubcommand(new CommandLine(new Analyze()).addSubcommand(new AnalyzeReward(console))
                         .addSubcommand(new AnalyzeCancels(console)).addSubcommand(new AnalyzeNearest(console))
                         .addSubcommand(new AnalyzeNested(console)));
@@ -88,7 +91,7 @@ public final class Main implements Runnable {
     /** Only called if there is a command line, but no command in it. */
     @Override
     public void run() {
-        throw new UsageException("expected a command: simulate, plan, check, replay, infer, bridge, bench, precompute, analyze; see handover --help");
+        throw new UsageException("expected a command: simulate, plan, check, replay, infer, bridge, bench, precompute, solve, export, analyze; see handover --help");
     }
 
     private int refuse(CommandLine.ParameterException e) {
@@ -101,7 +104,7 @@ public final class Main implements Runnable {
     private int fail(Exception e) {
         Throwable cause = e instanceof UncheckedIOException ? e.getCause() : e;
         boolean input = cause instanceof UsageException || cause instanceof BridgeException || cause instanceof DomainFileException
-                || cause instanceof EpisodeLogException || cause instanceof PolicyFileException || cause instanceof Solvers.BadSolverException;
+                || cause instanceof EpisodeLogException || cause instanceof PolicyFileException || cause instanceof PomdpFileException || cause instanceof Solvers.BadSolverException;
         if (input) {
             return complain(e, BAD_INPUT, cause.getMessage());
         } else if (cause instanceof FileSystemException f) {

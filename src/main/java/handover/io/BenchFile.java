@@ -21,7 +21,7 @@ public record BenchFile(Path path) {
     public void write(Map<String, ?> content) throws IOException {
         Path whole = path.toAbsolutePath();
         Files.createDirectories(whole.getParent());
-        Path draft = Files.createTempFile(whole.getParent(), whole.getFileName().toString(), ".tmp");
+        Path draft = whole.resolveSibling(whole.getFileName() + ".tmp");
         try {
             Files.writeString(draft, WRITER.writeValueAsString(content) + "\n");
             Files.move(draft, whole, StandardCopyOption.REPLACE_EXISTING);

@@ -57,11 +57,10 @@ final class Json {
         return tree;
     }
 
-    /** The objects of a scene with where they are. */
+    /** The objects of a scene in the form of a domain file. */
     static ArrayNode scene(Scene scene) {
         ArrayNode list = JsonNodeFactory.instance.arrayNode();
-        scene.objects().forEach(o -> list.addObject().put("name", o.name()).put("label", o.label())
-                .set("position", list(o.position())));
+        scene.objects().forEach(o -> list.add(RecordMapper.tree(o)));
         return list;
     }
 }

@@ -35,6 +35,10 @@ public record Welcome(HandoverDomain domain, String solver, Map<String, String> 
                 .put("domain_hash", DomainFiles.hash(domain.spec())).put("variant", domain.spec().variant());
         tree.set("objects", Json.scene(scene));
         tree.set("acts", Json.list(domain.types().stream().map(ActType::verb).toList()));
+        tree.put("increments", domain.pickRule().increments());
+        domain.types().forEach(t -> tree.withObjectProperty("durations").put(t.verb(), t.parameters().duration()));
+        tree.set("shoulder", Json.list(domain.spec().shoulder()));
+        tree.set("frames", Json.list(domain.spec().frames().keySet()));
         tree.put("solver", solver);
         sockets.forEach(tree.putObject("sockets")::put);
         return tree;

@@ -12,10 +12,10 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
- * What leaves are worth: the best of three simple policies that can be executed. Hand over the likeliest object now, and go on
- * after a wrong one; wait for ever; or {@link AskInTurn}. The first two observe nothing, so that their value is a lower bound
+ * What leaves are worth: the best of four simple policies that can be executed. Hand over the likeliest object now, and go on
+ * after a wrong one; wait for ever; {@link AskInTurn}; or, where a pick takes increments, {@link ReachInTurn}. The first two observe nothing, so that their value is a lower bound
  * on that of any good policy (where the wish stands still, tau = 1; otherwise what happens after a wrong object is rounded);
- * the third is a bound up to its match part. What does not change among the acts of a belief is computed once for it, and
+ * the others are bounds up to their match part. What does not change among the acts of a belief is computed once for it, and
  * what cannot beat the others is not computed at all. Used by one thread at a time.
  */
 final class CommitOrWait {
@@ -27,6 +27,7 @@ final class CommitOrWait {
     private final HandoverSearch search;
     private final HandoverDomain domain;
     private final AskInTurn asking;
+    private final ReachInTurn reaching;
     private final Evidence evidence;
     private final int n;
     private final double[] uniform;
@@ -70,13 +71,14 @@ final class CommitOrWait {
         Task start = domain.task(scene);
         this.waitReward = start.effect(Act.WAIT).reward();
         this.unanswered = waiting(domain.matchReward(uniform, uniform, n));
+        this.asking = new AskInTurn(scene);
+        this.reaching = new ReachInTurn(scene, asking, picks, unanswered);
         double[] fresh = Simplex.uniform(n - 1);
         this.afterHandover = n == 1 ? 0 : waiting(domain.matchReward(fresh, fresh, n - 1));
         this.rest = new double[MOST_PICKS][n];
         this.human = new double[n];
         this.otherHuman = new double[n];
         this.wish = new double[n];
-        this.asking = new AskInTurn(scene);
         double gamma = domain.discount();
         double price = Arrays.stream(picks).mapToDouble(k -> start.effect(k).reward()).max().orElseThrow();
         this.increments = PickPrice.prices(domain.pickRule(), gamma);
@@ -110,7 +112,7 @@ final class CommitOrWait {
     /** The value of a belief at which no pick has just completed. */
     double value(HandoverSearch.Node node) {
         SearchBelief b = node.b;
-        double best = asking(b) + asking.repeating(node.task, b.likeliest());
+        double best = Math.max(reaching(b), asking(b) + asking.repeating(node.task, b.likeliest()));
         if (waiting(node.match) > best) {
             best = Math.max(best, waiting(Math.min(node.match, matchUniform(b))));
         }
@@ -121,6 +123,9 @@ final class CommitOrWait {
             int x = node.task.scene().indexOf(node.task.target());
             if (domain.spec().tau() < 1 || boundOfReaching(b, x) > best) {
                 best = Math.max(best, committing(node, x));
+            }
+            if (x == b.likeliest()) {
+                best = Math.max(best, reaching.value(b.p, node.task, x));
             }
         }
         return best;
@@ -147,6 +152,14 @@ final class CommitOrWait {
             b.asking = asking.value(b.p, b.likeliest(), unanswered);
         }
         return b.asking;
+    }
+
+    /** The value of reaching in turn when nothing is reached for. */
+    private double reaching(SearchBelief b) {
+        if (Double.isNaN(b.reaching)) {
+            b.reaching = reaching.value(b.p, b.likeliest());
+        }
+        return b.reaching;
     }
 
     private double matchUniform(SearchBelief b) {
@@ -234,7 +247,8 @@ final class CommitOrWait {
     private double boundWithoutPick(HandoverSearch.Node node) {
         SearchBelief b = node.b;
         if (Double.isNaN(b.bound)) {
-            b.bound = Math.max(asking(b) + asking.mostRepeated(), Math.max(waiting(matchBound(b)), commitBound(node)));
+            b.bound = Math.max(Math.max(reaching(b), asking(b) + asking.mostRepeated()),
+                    Math.max(waiting(matchBound(b)), commitBound(node)));
         }
         return b.bound;
     }
@@ -258,6 +272,8 @@ final class CommitOrWait {
         double now = effect.reward() + matchBound(node.b);
         if (effect.completes() && effect.stalled() == null) {
             return now + outcome;
+        } else if (effect.model().target() == node.b.likeliest()) {
+            return Double.POSITIVE_INFINITY;
         }
         double later = domain.discount() * Math.max(boundOfReaching(node.b, effect.model().target()), boundWithoutPick(node));
         return now + (effect.completes() ? Math.max(outcome, later) : later);

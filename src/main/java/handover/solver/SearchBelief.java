@@ -16,6 +16,8 @@ final class SearchBelief {
     double matchBound;
     /** The value of {@link AskInTurn}; NaN until asked for. */
     double asking;
+    /** The value of {@link ReachInTurn}; NaN until asked for. */
+    double reaching;
     /** Upper bound on what may follow an act that is no pick; NaN until asked for. */
     double bound;
     /** Upper bound on handing over the likeliest object now; NaN until asked for. */
@@ -34,6 +36,7 @@ final class SearchBelief {
         matchUniform = Double.NaN;
         matchBound = Double.NaN;
         asking = Double.NaN;
+        reaching = Double.NaN;
         bound = Double.NaN;
         commitBound = Double.NaN;
         return this;

@@ -1,10 +1,7 @@
 package handover.solver;
 
 import java.util.List;
-import java.util.Map;
 import java.util.ServiceLoader;
-import java.util.TreeMap;
-import java.util.TreeSet;
 import java.util.function.Function;
 
 /**
@@ -42,12 +39,13 @@ public final class Solvers {
     public static final class BadSolverException extends IllegalArgumentException {
         private static final long serialVersionUID = 1L;
 
-        BadSolverException(String spec, String problem, Throwable cause) {
+        /** Says what is wrong with a specification. */
+        public BadSolverException(String spec, String problem, Throwable cause) {
             super("solver \"" + spec + "\": " + problem, cause);
         }
     }
 
-    private record Entry(String name, String description, List<String> keys, Function<Parameters, Solver> make) {}
+    private record Entry(String name, String description, List<String> keys, Function<SolverParameters, Solver> make) {}
 
     private Solvers() {}
 
@@ -72,7 +70,7 @@ public final class Solvers {
         String name = spec.split(":", 2)[0];
         for (Entry entry : ALL) {
             if (entry.name.equals(name)) {
-                return make(s -> entry.make.apply(Parameters.of(entry, s)), usual(spec));
+                return make(s -> entry.make.apply(SolverParameters.of(entry.name, entry.keys, s)), usual(spec));
             }
         }
         for (SolverProvider provider : ServiceLoader.load(SolverProvider.class, Solvers.class.getClassLoader())) {
@@ -112,64 +110,6 @@ public final class Solvers {
             throw new BadSolverException(name, "this class does not implement " + Solver.class.getName(), e);
         } catch (ReflectiveOperationException | LinkageError e) {
             throw new BadSolverException(name, "expected a class with a public constructor without arguments: " + e, e);
-        }
-    }
-
-    /** What follows the colon. */
-    private record Parameters(String spec, Map<String, String> values) {
-
-        static Parameters of(Entry entry, String spec) {
-            Map<String, String> values = new TreeMap<>();
-            String list = spec.length() == entry.name.length() ? "" : spec.substring(entry.name.length() + 1);
-            String known = entry.keys.isEmpty() ? entry.name + " has no parameters"
-                    : "expected key=value with keys from " + String.join(", ", entry.keys);
-            if (list.isEmpty() && spec.length() > entry.name.length()) {
-                throw new BadSolverException(spec, known + ", got nothing after the colon", null);
-            }
-            for (String part : list.isEmpty() ? new String[0] : list.split(",", -1)) {
-                String[] pair = part.split("=", 2);
-                if (pair.length < 2 || !entry.keys.contains(pair[0])) {
-                    throw new BadSolverException(spec, known + ", got \"" + part + "\"", null);
-                } else if (values.put(pair[0], pair[1]) != null) {
-                    throw new BadSolverException(spec, "expected " + pair[0] + " once, got it twice", null);
-                }
-            }
-            return new Parameters(spec, values);
-        }
-
-        int count(String key, int otherwise, int most) {
-            String text = values.getOrDefault(key, Integer.toString(otherwise));
-            int value = text.matches("[0-9]{1,9}") ? Integer.parseInt(text) : 0;
-            if (value < 1 || value > most) {
-                throw bad(key, "a whole number from 1 to " + most, text);
-            }
-            return value;
-        }
-
-        double probability(String key, double otherwise) {
-            String text = values.getOrDefault(key, Double.toString(otherwise));
-            try {
-                double value = Double.parseDouble(text);
-                if (value >= 0 && value <= 1) {
-                    return value;
-                }
-            } catch (NumberFormatException e) {
-                throw bad(key, "a probability in [0, 1]", text);
-            }
-            throw bad(key, "a probability in [0, 1]", text);
-        }
-
-        /** One of some words, of which the first is the default. */
-        String choice(String key, String... words) {
-            String text = values.getOrDefault(key, words[0]);
-            if (!new TreeSet<>(List.of(words)).contains(text)) {
-                throw bad(key, String.join(" or ", words), text);
-            }
-            return text;
-        }
-
-        private BadSolverException bad(String key, String expected, String got) {
-            return new BadSolverException(spec, key + ": expected " + expected + ", got \"" + got + "\"", null);
         }
     }
 }

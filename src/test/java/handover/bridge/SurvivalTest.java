@@ -94,7 +94,7 @@ class SurvivalTest {
                         .get("belief").asInt();
             }
             wire.send("{\"v\":1,\"type\":\"decide\",\"deadline_ms\":60000,\"id\":\"d\"}".getBytes(StandardCharsets.UTF_8));
-            Thread.sleep(200);
+            wire.must("{'v':1,'type':'hello'}"); // so that it has what was sent before
             long start = System.nanoTime();
             int code = bridge.terminate();
             long took = (System.nanoTime() - start) / 1_000_000;

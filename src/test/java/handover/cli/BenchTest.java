@@ -162,7 +162,7 @@ class BenchTest {
     void whatIsFinishedIsKept() throws IOException {
         JsonNode all = bench(1, "--parts", "allocation,return,growth", "--return-solver", Failing.class.getName());
         assertEquals("[\"allocation\"]", all.get("finished").toString());
-        assertEquals(4, all.at("/parts/allocation").size());
+        assertEquals(6, all.at("/parts/allocation").size());
         assertTrue(shown.contains("\n## allocation\n") && !shown.contains("## return"), shown);
         assertEquals(1, all.at("/parts/return").size(), "so far");
         assertEquals(0, all.at("/parts/return/0/episodes").asInt() % 25, "the last time that it was saved");

@@ -7,6 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import burlap.domain.singleagent.pomdp.tiger.TigerDomain;
 import burlap.mdp.singleagent.pomdp.PODomain;
 import handover.solver.Racing.Race;
+import handover.tabular.TabularDomains;
+import handover.tabular.TabularPomdp;
+import handover.tabular.TabularSearch;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
@@ -17,11 +20,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 class RacingTest {
     private static final double GAMMA = 0.95;
 
-    private final PODomain tiger = (PODomain) new TigerDomain().generateDomain();
+    private final TabularPomdp tiger = TabularDomains.of((PODomain) new TigerDomain().generateDomain(), GAMMA, null);
     private final double[] q = new double[3];
 
     private double[] exact(double p, int horizon) {
-        TabularSearch mdp = new TabularSearch(tiger, GAMMA, true);
+        TabularSearch mdp = new TabularSearch(tiger, true);
         double[] values = new double[3];
         new SparseSampling<>(mdp, 1, false).values(mdp.belief(new double[] {p, 1 - p}), horizon, 0, Deadline.NONE, values);
         return values;
@@ -38,7 +41,7 @@ class RacingTest {
     @ParameterizedTest
     @CsvSource({"0.5,2", "0.7,2", "0.85,2", "0.5,3", "0.85,3"})
     void theWinnerAndItsValueAreThoseOfWeighingEverything(double p, int horizon) {
-        TabularSearch mdp = new TabularSearch(tiger, GAMMA, false);
+        TabularSearch mdp = new TabularSearch(tiger, false);
         double[] exact = exact(p, horizon);
         int best = racing(mdp, new Race(horizon, 50, 2000, 1e9)).run(mdp.belief(new double[] {p, 1 - p}), 5, Deadline.NONE, q);
         assertEquals(exact[best], Math.max(exact[0], Math.max(exact[1], exact[2])), 1e-9, "the winner is a best act");
@@ -47,7 +50,7 @@ class RacingTest {
 
     @Test
     void actsThatFallBehindGetNoMoreDraws() {
-        TabularSearch mdp = new TabularSearch(tiger, GAMMA, false);
+        TabularSearch mdp = new TabularSearch(tiger, false);
         double[] sure = {0.99, 0.01};
         Racing<TabularSearch.Node> raced = racing(mdp, new Race(2, 8, 1024, 0));
         assertEquals(1, raced.run(mdp.belief(sure), 1, Deadline.NONE, q), "the tiger is on the left");
@@ -59,7 +62,7 @@ class RacingTest {
 
     @Test
     void aRaceThatIsCutOffLeavesTheAnswerOfTheOneBefore() {
-        TabularSearch mdp = new TabularSearch(tiger, GAMMA, false);
+        TabularSearch mdp = new TabularSearch(tiger, false);
         Racing<TabularSearch.Node> racing = racing(mdp, new Race(2, 8, 64, 1e9), new Race(3, 8, 64, 1e9));
         double[] b = {0.5, 0.5};
         assertEquals(2, racing.run(mdp.belief(b), 1, () -> true, q));
