@@ -19,6 +19,6 @@ final class Latencies {
         long[] sorted = Arrays.copyOf(nanos, n);
         Arrays.sort(sorted);
         return n == 0 ? new double[0]
-                : Arrays.stream(parts).map(p -> sorted[(int) Math.ceil(p * n) - 1 < 0 ? 0 : (int) Math.ceil(p * n) - 1] / 1e6).toArray();
+                : Arrays.stream(parts).map(p -> sorted[Math.max(0, (int) Math.ceil(p * n) - 1)] / 1e6).toArray();
     }
 }

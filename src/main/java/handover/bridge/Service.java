@@ -35,6 +35,8 @@ final class Service implements AutoCloseable {
     private final Vitals vitals;
     private final StreamQueue queue;
     private volatile Snapshot published;
+    /** The envelope of the message that is being handled, as far as it could be read. */
+    private WireMessage.Envelope about = NOBODY;
     private long lastBeat;
 
     /**
@@ -71,46 +73,34 @@ final class Service implements AutoCloseable {
     void command(Client client, byte[] body) {
         long nanos = nanoClock.getAsLong();
         vitals.count("requests");
-        WireMessage.Envelope envelope = NOBODY;
-        try {
-            WireMessage message = Messages.decode(body);
-            envelope = message.envelope();
-            vitals.sources().seen(envelope.source(), clock.getAsDouble());
+        guarded(client, () -> {
+            WireMessage message = decode(body);
             if (message instanceof WireMessage.Hello) {
-                answer(client, welcome.reply(envelope.id(), session.table()));
+                answer(client, welcome.reply(message.envelope().id(), session.table()));
             } else if (message instanceof WireMessage.Decide decide) {
                 session.episode();
                 decisions.decide(client, decide);
             } else {
                 apply(message, body, client, nanos);
             }
-        } catch (WireException e) {
-            refuse(client, envelope, e);
-        } catch (RuntimeException e) {
-            LOG.error("a message could not be handled", e);
-            refuse(client, envelope, new WireException(WireCode.INTERNAL, "", e.toString()));
-        }
+        });
     }
 
     /** A message that is not answered; it waits until {@link #work}. */
     void stream(byte[] body) {
         long nanos = nanoClock.getAsLong();
         vitals.count("streamed");
-        try {
-            WireMessage message = Messages.decode(body);
-            WireMessage.Envelope envelope = message.envelope();
-            vitals.sources().seen(envelope.source(), clock.getAsDouble());
+        guarded(null, () -> {
+            WireMessage message = decode(body);
             if (message instanceof WireMessage.Hello || message instanceof WireMessage.Decide
                     || message instanceof WireMessage.State) {
                 throw new WireException(WireCode.BAD_TYPE, "type", "a question cannot be answered here; expected it on the "
-                        + "command socket").about(envelope.id());
+                        + "command socket");
             } else if (!queue.add(message, body, nanos)) {
-                throw new WireException(WireCode.BUSY, "", "too many messages are waiting").about(envelope.id());
+                throw new WireException(WireCode.BUSY, "", "too many messages are waiting");
             }
             vitals.shed(queue.shed());
-        } catch (WireException e) {
-            refuse(null, NOBODY, e);
-        }
+        });
     }
 
     /** Applies messages of the stream for at most so long; whether any is left. */
@@ -118,16 +108,32 @@ final class Service implements AutoCloseable {
         long start = nanoClock.getAsLong();
         while (queue.size() > 0 && nanoClock.getAsLong() - start < nanos) {
             StreamQueue.Waiting waiting = queue.poll();
-            try {
+            guarded(null, () -> {
+                about = waiting.message().envelope();
                 apply(waiting.message(), waiting.raw(), null, waiting.nanos());
-            } catch (WireException e) {
-                refuse(null, waiting.message().envelope(), e);
-            } catch (RuntimeException e) {
-                LOG.error("a message could not be handled", e);
-                refuse(null, waiting.message().envelope(), new WireException(WireCode.INTERNAL, "", e.toString()));
-            }
+            });
         }
         return queue.size() > 0;
+    }
+
+    private WireMessage decode(byte[] body) {
+        WireMessage message = Messages.decode(body);
+        about = message.envelope();
+        vitals.sources().seen(about.source(), clock.getAsDouble());
+        return message;
+    }
+
+    /** What goes wrong with a message is told to its sender, if they wait for an answer, and to who listens to errors. */
+    private void guarded(Client client, Runnable handling) {
+        about = NOBODY;
+        try {
+            handling.run();
+        } catch (WireException e) {
+            refuse(client, about, e);
+        } catch (RuntimeException e) {
+            LOG.error("a message could not be handled", e);
+            refuse(client, about, new WireException(WireCode.INTERNAL, "", e.toString()));
+        }
     }
 
     /** Frames that are no message; {@code client} is null if nobody waits for an answer. */
@@ -204,13 +210,13 @@ final class Service implements AutoCloseable {
     }
 
     private void refuse(Client client, WireMessage.Envelope envelope, WireException e) {
-        WireException about = e.re() == null && envelope.id() != null ? e.about(envelope.id()) : e;
+        WireException told = e.re() == null && envelope.id() != null ? e.about(envelope.id()) : e;
         vitals.count("errors");
         vitals.count("errors_" + e.code().key());
         if (client != null) {
-            answer(client, Replies.error(about));
+            answer(client, Replies.error(told));
         }
-        outbox.publish(Topics.ERROR, () -> Events.error(about, envelope.source(), clock.getAsDouble()));
+        outbox.publish(Topics.ERROR, () -> Events.error(told, envelope.source(), clock.getAsDouble()));
     }
 
     /** What cannot be written must not keep an answer back that changes nothing. */

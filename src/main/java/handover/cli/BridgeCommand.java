@@ -123,8 +123,8 @@ final class BridgeCommand implements Callable<Integer> {
                 SessionLogWriter writer = file == null ? null : resume != null ? SessionLogWriter.append(file, start.end())
                         : SessionLogWriter.create(file, new SessionHeader(on.spec(), chosen.name(), seed, maxAge))) {
             Runtime.getRuntime().addShutdownHook(new Thread(() -> stop(bridge), "handover-shutdown"));
-            console.out().print(bridge.welcome().ready(file == null ? null : file.toString(), start.session().now().version())
-                    + "\n");
+            console.out().print(bridge.welcome().ready(file == null ? null : file.toString(), start.session().now().version(),
+                    start.session().table()) + "\n");
             console.out().flush();
             bridge.run(start, writer);
         }

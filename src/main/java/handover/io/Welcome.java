@@ -24,9 +24,10 @@ public record Welcome(HandoverDomain domain, String solver, Map<String, String> 
      *
      * @param log file; null for none
      * @param version of the belief from which it goes on
+     * @param scene what is on the table
      */
-    public String ready(String log, long version) {
-        ObjectNode tree = tree("ready", null, domain.start()).put("belief_version", version);
+    public String ready(String log, long version, Scene scene) {
+        ObjectNode tree = tree("ready", null, scene).put("belief_version", version);
         return Json.line(log == null ? tree : tree.put("log", log));
     }
 
