@@ -100,7 +100,8 @@ class Bridge:
         self._ids = map(f"{source}-{secrets.token_hex(4)}-{{}}".format, itertools.count(1))
         self._context = zmq.Context()
         self._welcome: Optional[Dict[str, Any]] = None
-        self._stream = self._events = None
+        self._stream: Any = None
+        self._events: Any = None
         try:
             self._command = self._connect(zmq.DEALER, address)
             self._command.sndtimeo = int(timeout * 1000)

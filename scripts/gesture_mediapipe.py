@@ -9,7 +9,6 @@ transform from it to the table under the name that --frame gives.
 import contextlib
 import json
 import math
-import sys
 import time
 from typing import Any, Iterable, Iterator, List, Optional
 

@@ -10,7 +10,6 @@ For decide, run a bridge that needs its whole deadline: kitchen-20 --solver poss
 import json
 import multiprocessing
 import random
-import sys
 import time
 from typing import Dict, List, Optional
 
@@ -60,8 +59,10 @@ def speech(bridge: Bridge, count: int) -> List[float]:
         start = time.perf_counter()
         version = bridge.ask("speech", text="the " + words[k % len(words)])["belief"]
         while True:
-            topic, event = bridge.next_event(10)
-            if topic == "belief" and event["belief_version"] == version:
+            got = bridge.next_event(10)
+            if got is None:
+                raise client.NoAnswer(f"no event tells of belief {version}")
+            if got[0] == "belief" and got[1]["belief_version"] == version:
                 break
         taken.append((time.perf_counter() - start) * 1000)
         time.sleep(0.002)

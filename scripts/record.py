@@ -13,7 +13,8 @@ import client
 
 def main() -> int:
     parser = client.options(__doc__)
-    parser.add_argument("--topic", action="append", default=[], help="only this one (repeatable): belief, decision, act, error, heartbeat, scene, episode")
+    parser.add_argument("--topic", action="append", default=[],
+                        help="only this one (repeatable): belief, decision, act, error, heartbeat, scene, episode")
     parser.add_argument("--out", metavar="FILE", help="append to this file (default: standard output)")
     parser.add_argument("--seconds", type=float, metavar="S", help="end by itself after so long")
     given = parser.parse_args()

@@ -5,7 +5,6 @@ An act takes as long as the domain says (times --scale). What a reach comes to i
 socket of their own (see sensor_sim.py), or at the keyboard with --hand keyboard. Exit code 1 if nothing was handed over.
 """
 import json
-import sys
 import time
 from typing import Any, Callable, Dict
 

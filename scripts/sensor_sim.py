@@ -11,7 +11,6 @@ import heapq
 import itertools
 import json
 import random
-import sys
 import time
 from typing import Any, Callable, Dict, List, Tuple
 
@@ -66,8 +65,9 @@ class Simulation:
             waiting = dict(poller.poll(wait))
             if offers in waiting:
                 handovers -= self.offered(offers)
-            if events in waiting:
-                self.see(*self.bridge.next_event(0))
+            event = self.bridge.next_event(0) if events in waiting else None
+            if event:
+                self.see(*event)
             while self.due and self.due[0][0] <= time.monotonic():
                 heapq.heappop(self.due)[2]()
         offers.close(linger=1000)

@@ -68,7 +68,8 @@ class RecogniserTest(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which("espeak-ng"), "espeak-ng is missing: apt-get install espeak-ng")
     def test_hears_what_is_said(self):
-        for said, heard in (("give me the red ball", "give me the red ball"), ("no", "no"), ("i want the green marker", "i want the green marker"),
+        for said, heard in (("give me the red ball", "give me the red ball"), ("no", "no"),
+                            ("i want the green marker", "i want the green marker"),
                             ("not the red one, but the blue one", "not the red one but the blue one"),
                             ("the green marker please", "the green marker please")):
             with self.subTest(said), tempfile.TemporaryDirectory() as folder:

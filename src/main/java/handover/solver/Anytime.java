@@ -2,6 +2,7 @@ package handover.solver;
 
 import handover.belief.HandoverBelief;
 import handover.domain.HandoverDomain;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.random.RandomGenerator;
 import java.util.stream.IntStream;
@@ -19,6 +20,8 @@ public record Anytime(int horizon, int draws) implements Solver {
     /** Acts that are no worse than this stay for the next race, which sees further. */
     private static final double SLACK = 0.3;
     private static final int FEWEST_DRAWS = 8;
+    /** Rollouts of each act, at most. */
+    private static final int ROLLOUTS = 512;
 
     /** Throws {@link IllegalArgumentException} for a horizon below 2 or fewer than 8 draws. */
     public Anytime {
@@ -38,8 +41,12 @@ public record Anytime(int horizon, int draws) implements Solver {
     }
 
     private List<Racing.Race> races() {
-        return IntStream.rangeClosed(2, horizon).mapToObj(h -> new Racing.Race(h, WIDTH, draws << (horizon - h),
-                h == horizon ? 0 : SLACK)).toList();
+        List<Racing.Race> races = new ArrayList<>();
+        for (int h = 2; h <= horizon; h++) {
+            races.add(new Racing.Race(h, WIDTH, draws << (horizon - h), h == horizon ? 0 : SLACK));
+        }
+        races.add(1, Racing.Race.ofRollouts(ROLLOUTS));
+        return races;
     }
 
     private final class Raced<N> implements Searches.Search {

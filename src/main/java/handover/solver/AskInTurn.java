@@ -92,6 +92,11 @@ final class AskInTurn {
         return question;
     }
 
+    /** The act that asks about an object; -1 if there are no questions. */
+    int act(int object) {
+        return asks[object] == null ? -1 : asks[object].index();
+    }
+
     /** What it costs, or pays, that the first question is asked in {@code task} and not with nothing open. */
     double repeating(Task task, int likeliest) {
         return asks[0] == null ? 0

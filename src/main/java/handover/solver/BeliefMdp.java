@@ -48,6 +48,11 @@ public interface BeliefMdp<N> {
     /** What some simple policy earns after an act, before anything is observed. */
     double leaf(N predicted);
 
+    /** The act of some simple policy that listens to what is observed, for rollouts; -1 if none is known that leaves do not value. */
+    default int simple(N node) {
+        return -1;
+    }
+
     /**
      * An upper bound on what an act can be worth, however far the search looks and whatever it samples, by which acts are left
      * out; infinity if none is known.

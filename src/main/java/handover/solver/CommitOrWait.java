@@ -109,6 +109,22 @@ final class CommitOrWait {
         return uniform;
     }
 
+    /**
+     * Where a pick takes increments: reaches for the likeliest object and listens, and completes the pick if that is better than
+     * asking in turn; if not, asks. -1 where a pick is one increment.
+     */
+    int simple(HandoverSearch.Node node) {
+        if (domain.pickRule().increments() == 1) {
+            return -1;
+        }
+        SearchBelief b = node.b;
+        int x = b.likeliest();
+        ActEffect pick = node.task.effect(picks[x]);
+        int ask = asking.act(x);
+        boolean complete = !pick.completes() || ask < 0 || search.pickReward(b.p[x]) > asking(b);
+        return complete ? picks[x] : ask;
+    }
+
     /** The value of a belief at which no pick has just completed. */
     double value(HandoverSearch.Node node) {
         SearchBelief b = node.b;

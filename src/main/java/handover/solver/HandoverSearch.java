@@ -299,6 +299,11 @@ public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
     }
 
     @Override
+    public int simple(Node node) {
+        return node.policy.simple(node);
+    }
+
+    @Override
     public double bound(Node node, int act) {
         return moves ? Double.POSITIVE_INFINITY : node.policy.bound(node, node.task.effect(act));
     }

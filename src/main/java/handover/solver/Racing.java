@@ -7,7 +7,8 @@ import java.util.List;
 /**
  * Races acts against each other: every act that may still be the best gets one more drawn observation at a time, the same
  * luck for all, and those that fall behind are left out. Races go deeper one after the other, each among the acts that the
- * one before left. Used by one thread at a time.
+ * one before left. Where {@link BeliefMdp#simple} is a policy that listens, what it earns after each act is raced too, and if the best
+ * of that is more than looking ahead promises, that act is taken. Used by one thread at a time.
  *
  * <p>Sources: Maron and Moore, "Hoeffding races" (1993), with the paired differences and the normal bounds of Moore and Lee,
  * "Efficient algorithms for minimizing cross validation error" (1994), section 4; the draws are those of {@link SparseSampling}.
@@ -28,11 +29,33 @@ final class Racing<N> {
      * @param draws at most so many for each act at the root
      * @param slack in reward: acts that are behind by no more stay in, because the next race sees further
      */
-    record Race(int horizon, int width, int draws, double slack) {}
+    record Race(int horizon, int width, int draws, double slack) {
+        /** A race of {@link Rollouts}, among all acts. */
+        static Race ofRollouts(int draws) {
+            return new Race(0, 1, draws, 0);
+        }
+
+        boolean rollouts() {
+            return horizon == 0;
+        }
+    }
+
+    private record Tree<N>(SparseSampling<N> sampling, int horizon) implements Draws<N> {
+        @Override
+        public double draw(N root, int act, double stratum, long seed, Deadline limit) {
+            return sampling.draw(root, act, horizon, stratum, seed, limit);
+        }
+
+        @Override
+        public long nodes() {
+            return sampling.nodes();
+        }
+    }
 
     private final BeliefMdp<N> mdp;
     private final List<Race> races;
-    private final List<SparseSampling<N>> sampling;
+    private final SparseSampling<N> first;
+    private final List<Draws<N>> draws;
     /** By act, the draws of the running race. */
     private final double[][] drawn;
     private final double[] sums;
@@ -45,7 +68,9 @@ final class Racing<N> {
     Racing(BeliefMdp<N> mdp, List<Race> races, int acts) {
         this.mdp = mdp;
         this.races = races;
-        sampling = races.stream().map(r -> new SparseSampling<>(mdp, r.width, true)).toList();
+        first = new SparseSampling<>(mdp, 1, true);
+        draws = races.stream().map(r -> r.rollouts() ? new Rollouts<>(mdp)
+                : new Tree<>(new SparseSampling<>(mdp, r.width, true), r.horizon)).toList();
         drawn = new double[acts][races.stream().mapToInt(Race::draws).max().orElseThrow()];
         sums = new double[acts];
         alive = new int[acts];
@@ -53,7 +78,7 @@ final class Racing<N> {
 
     /** Beliefs visited since construction. */
     long nodes() {
-        return sampling.stream().mapToLong(SparseSampling::nodes).sum();
+        return draws.stream().mapToLong(Draws::nodes).sum();
     }
 
     /** What the best act and a simple policy after it earn at the last root. */
@@ -78,32 +103,74 @@ final class Racing<N> {
      * @return the act that won
      */
     int run(N root, long seed, Deadline deadline, double[] q) {
-        sampling.get(0).values(root, 1, seed, Deadline.NONE, q);
+        first.values(root, 1, seed, Deadline.NONE, q);
         depth = 1;
         finished = false;
-        left = 0;
         lower = Arrays.stream(q, 0, mdp.acts(root)).max().orElseThrow();
+        enter(root);
+        int best = best(q);
+        int played = -1;
+        double earned = 0;
+        for (int k = 0; k < races.size() && left > 1; k++) {
+            boolean rollouts = races.get(k).rollouts();
+            if (rollouts && mdp.simple(root) < 0) {
+                continue;
+            }
+            int[] others = Arrays.copyOf(alive, left);
+            if (rollouts) {
+                enter(root);
+            }
+            int done = race(root, k, Streams.mix(seed, k), deadline);
+            if (done >= BATCH && rollouts) {
+                played = best(sums);
+                earned = sums[played] / done - error(played, done);
+            } else if (done >= BATCH) {
+                for (int i = 0; i < left; i++) {
+                    q[alive[i]] = sums[alive[i]] / done;
+                }
+                best = overtaken(best, best(q), done);
+                depth = races.get(k).horizon;
+            }
+            boolean cut = done < races.get(k).draws && left > 1;
+            if (rollouts) {
+                left = others.length;
+                System.arraycopy(others, 0, alive, 0, left);
+            }
+            if (cut) {
+                return better(best, played, earned, q);
+            }
+        }
+        finished = true;
+        return better(best, played, earned, q);
+    }
+
+    /** All acts that may be the best enter a race. */
+    private void enter(N root) {
+        left = 0;
         for (int a = 0; a < mdp.acts(root); a++) {
             if (mdp.bound(root, a) >= lower) {
                 alive[left++] = a;
             }
         }
-        int best = best(q);
-        for (int k = 0; k < races.size() && left > 1; k++) {
-            int draws = race(root, k, Streams.mix(seed, k), deadline);
-            if (draws >= BATCH) {
-                for (int i = 0; i < left; i++) {
-                    q[alive[i]] = sums[alive[i]] / draws;
-                }
-                best = overtaken(best, best(q), draws);
-                depth = races.get(k).horizon;
-            }
-            if (draws < races.get(k).draws && left > 1) {
-                return best;
-            }
+    }
+
+    /** What the rollouts favour, if they earn more for sure than the best act is worth by looking ahead. */
+    private static int better(int best, int played, double earned, double[] q) {
+        if (played < 0 || earned <= q[best]) {
+            return best;
         }
-        finished = true;
-        return best;
+        q[played] = Math.max(q[played], earned);
+        return played;
+    }
+
+    /** The standard error of an act's mean. */
+    private double error(int act, int draws) {
+        double mean = sums[act] / draws;
+        double squares = 0;
+        for (int c = 0; c < draws; c++) {
+            squares += (drawn[act][c] - mean) * (drawn[act][c] - mean);
+        }
+        return Math.sqrt(squares / (draws - 1) / draws);
     }
 
     /** The winner of the last race, unless that of the race before is in and not clearly behind. */
@@ -122,7 +189,7 @@ final class Racing<N> {
             long luck = Streams.mix(seed, c);
             for (int i = 0; i < left; i++) {
                 double value = deadline.passed() ? Double.NaN
-                        : sampling.get(k).draw(root, alive[i], race.horizon, stratum, luck, deadline);
+                        : draws.get(k).draw(root, alive[i], stratum, luck, deadline);
                 if (Double.isNaN(value)) {
                     return undo(i, c);
                 }

@@ -14,7 +14,7 @@ public final class Solvers {
                     List.of("H", "C", "leaf", "threads"), p -> new Poss(p.count("H", 3, 100), p.count("C", 10, 1_000_000),
                             p.choice("leaf", "policy", "zero").equals("policy"), p.count("threads", 1, 1024))),
             new Entry("anytime", "races the acts: all 2 acts ahead, the best of them H=3 acts ahead with C=128 draws; for deadlines",
-                    List.of("H", "C"), p -> new Anytime(p.count("H", 3, 10), p.count("C", 128, 100_000))),
+                    List.of("H", "C"), p -> new Anytime(p.count("H", 3, 5), p.count("C", 128, 1024))),
             new Entry("threshold", "waits until one object has probability p=0.9, then hands it over",
                     List.of("p"), p -> new Threshold(p.probability("p", 0.9))),
             new Entry("confirm", "asks about the likeliest object until yes, then hands it over",

@@ -16,7 +16,15 @@
  *
  * <p>2026-11-22, leaves. "Hand over now or wait for ever" values an undecided belief at -35 where a good planner gets +33, so
  * that a short search becomes timid; asking about one object after the other is as simple a policy, and its value can be
- * written down too. What a leaf is worth is the best of the three.
+ * written down too. Where a pick takes increments, so is a reach that is broken off at a no. What a leaf is worth is the best of them.
+ *
+ * <p>2026-11-22, the anytime planner races acts. Measured by the loss of single decisions against POSS with hundreds of samples, what
+ * costs POSS most is not its short horizon but its few samples: H=3, C=10 loses no less than H=2, C=10, and H=2, C=500 ten times less.
+ * So draws go to the acts between which the choice is close, and only what is left is looked at deeper. A deeper race changes the
+ * choice only if it is sure by a standard error. Rejected: best-first search by upper bounds (they come from being told what is
+ * wanted, and lie 10 above a value of 35, so that nothing is ever left out), and deepening all acts.
+ * With increments QMDP, which reaches at once and listens, earned 1 to 2 more than any search with these leaves. So the same is played
+ * out in rollouts, and the planner takes their act where they earn more than looking ahead promises.
  *
  * <p>2026-11-22, precomputed policies. The metric is d^2 = H^2(b, b') + H^2(h, h') / 4 with the Hellinger distance: it tells
  * apart probabilities near certainty, where it is decided whether a pick is worth the risk, and it is Euclidean in square

@@ -120,6 +120,7 @@ final class Conversation {
         } else if (node.isDouble()) {
             return String.format(Locale.ROOT, "%.6f", node.doubleValue()).replaceAll("-(0\\.0+)$", "$1");
         }
-        return node.toString().replaceAll("tcp://127\\.0\\.0\\.1:\\d+", "tcp://127.0.0.1:0").replaceAll("sensed \\d+ ms ago", "sensed 0 ms ago");
+        return node.toString().replaceAll("tcp://127\\.0\\.0\\.1:\\d+", "tcp://127.0.0.1:0")
+                .replaceAll("sensed \\d+ ms ago", "sensed 0 ms ago");
     }
 }

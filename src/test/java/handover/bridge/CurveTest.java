@@ -19,9 +19,9 @@ class CurveTest {
     private static final String CLIENT = """
             import json, sys, time, zmq
             from client import Bridge, Keys, NoAnswer
-            command, stream, events, server, own = sys.argv[1:6]
+            command, stream, events, server, own, patience = sys.argv[1:7]
             keys = None if own == "none" else Keys(server, own)
-            with Bridge(command, source="stranger", keys=keys, timeout=1.5, tries=1) as bridge:
+            with Bridge(command, source="stranger", keys=keys, timeout=float(patience), tries=1) as bridge:
                 push, listen = bridge._connect(zmq.PUSH, stream), bridge._connect(zmq.SUB, events)
                 listen.subscribe("")
                 answers = heard = 0
@@ -65,21 +65,24 @@ class CurveTest {
                             print("version", bridge.ask("state")["belief_version"], flush=True)
                         """, bridge.address("command"), folder.resolve("server.key"), clients.resolve("robot.key_secret"))) {
             robot.untilPrinted("begun");
-            assertEquals("answers 0 heard False", client(bridge, "server.key", "none"), "without any key");
-            assertEquals("answers 0 heard False", client(bridge, "server.key", "stranger.key_secret"), "with a key of its own making");
-            assertEquals("answers 0 heard False", client(bridge, "otherserver.key", "clients/robot.key_secret"), "taking another for the bridge");
+            assertEquals("answers 0 heard False", client(bridge, "server.key", "none", 1.5),
+                    "without any key");
+            assertEquals("answers 0 heard False", client(bridge, "server.key", "stranger.key_secret", 1.5),
+                    "with a key of its own making");
+            assertEquals("answers 0 heard False", client(bridge, "otherserver.key", "clients/robot.key_secret", 1.5),
+                    "taking another for the bridge");
             robot.process().getOutputStream().write('\n');
             robot.process().getOutputStream().flush();
             assertTrue(robot.ended(0).contains("version 2"), robot.text());
-            assertEquals("answers 2 heard True", client(bridge, "server.key", "clients/robot.key_secret"), "with an authorised key");
+            assertEquals("answers 2 heard True", client(bridge, "server.key", "clients/robot.key_secret", 30), "with an authorised key");
             String secret = Files.readString(folder.resolve("server.key_secret")).split("secret-key = \"")[1].split("\"")[0];
             assertTrue(!bridge.errors().contains(secret) && !bridge.ready().toString().contains(secret), "a secret was printed");
         }
     }
 
-    private String client(BridgeProcess bridge, String serverKey, String key) throws Exception {
+    private String client(BridgeProcess bridge, String serverKey, String key, double patience) throws Exception {
         try (Python client = Python.program(folder, CLIENT, bridge.address("command"), bridge.address("stream"), bridge.address("events"),
-                folder.resolve(serverKey), key.equals("none") ? key : folder.resolve(key))) {
+                folder.resolve(serverKey), key.equals("none") ? key : folder.resolve(key), patience)) {
             return client.ended(0).strip();
         }
     }

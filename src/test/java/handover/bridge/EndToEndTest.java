@@ -107,7 +107,7 @@ class EndToEndTest {
             somebody.untilPrinted("ready, wants ");
             String wanted = somebody.text().lines().findFirst().orElseThrow().substring("ready, wants ".length());
             try (Python robot = Python.script(folder, "robot_sim.py", "--bridge", bridge.address("command"), "--hand", hand,
-                    "--scale", 0.02, "--deadline-ms", 100)) {
+                    "--scale", 0.02, "--deadline-ms", 100, "--acts", 1000)) {
                 String did = robot.ended(0);
                 assertTrue(did.contains("end: 1 handed over, "), did);
                 assertTrue(somebody.ended(0).endsWith("takes " + wanted + "\n"), somebody.text());

@@ -73,15 +73,19 @@ final class Fuzzer {
 
     private Case wrong() {
         return switch (chance.nextInt(9)) {
-            case 0 -> new Case(bytes(message("gesture", "\"shoulder\":[0,1.4,0.3],\"hand\":[0,1," + one(NO_METRES) + "]")), "bad_field");
-            case 1 -> new Case(bytes(message("acted", "\"act\":\"ASK\",\"objects\":[\"unicorn" + ids + "\"],\"status\":\"started\"")), "unknown_object");
+            case 0 ->
+                    new Case(bytes(message("gesture", "\"shoulder\":[0,1.4,0.3],\"hand\":[0,1," + one(NO_METRES) + "]")), "bad_field");
+            case 1 ->
+                    new Case(bytes(message("acted", "\"act\":\"ASK\",\"objects\":[\"unicorn" + ids + "\"],\"status\":\"started\"")), "unknown_object");
             case 2 -> new Case(bytes(message("acted", "\"act\":\"DANCE\",\"objects\":[],\"status\":\"started\"")), "illegal_act");
-            case 3 -> new Case(bytes(message("gesture", "\"shoulder\":[0,1.4,0.3],\"hand\":[0,1,1],\"frame\":\"moon\"")), "unknown_frame");
+            case 3 ->
+                    new Case(bytes(message("gesture", "\"shoulder\":[0,1.4,0.3],\"hand\":[0,1,1],\"frame\":\"moon\"")), "unknown_frame");
             case 4 -> new Case(bytes(message("sing", "\"text\":\"la\"")), "bad_type");
             case 5 -> new Case(bytes(message("speech", "\"txt\":\"red\"")), "missing_field");
             case 6 -> new Case(bytes(message("speech", "\"text\":\"red\",\"t\":" + chance.nextInt(1_000_000))), "stale");
             case 7 -> new Case(bytes("{\"v\":" + (2 + chance.nextInt(9)) + ",\"type\":\"state\"}"), "bad_version");
-            default -> new Case(("{\"v\":1,\"type\":\"speech\",\"text\":\"" + (char) 0xff + "\"}").getBytes(StandardCharsets.ISO_8859_1), "not_json");
+            default ->
+                    new Case(("{\"v\":1,\"type\":\"speech\",\"text\":\"" + (char) 0xff + "\"}").getBytes(StandardCharsets.ISO_8859_1), "not_json");
         };
     }
 

@@ -23,9 +23,11 @@ class SpokenTest {
         Path wav = folder.resolve("said.wav");
         Process voice = new ProcessBuilder("espeak-ng", "-v", "en-us", "-w", wav.toString(), "give me the red ball").start();
         assertTrue(voice.waitFor(1, TimeUnit.MINUTES) && voice.exitValue() == 0);
-        try (BridgeProcess bridge = BridgeProcess.start(folder, "table-line-6", "--solver", "poss:H=2,C=5"); WireClient wire = new WireClient(bridge)) {
+        try (BridgeProcess bridge = BridgeProcess.start(folder, "table-line-6", "--solver", "poss:H=2,C=5");
+                WireClient wire = new WireClient(bridge)) {
             wire.must("{'v':1,'type':'begin'}");
-            try (Python hearing = Python.script(folder, "speech_pocketsphinx.py", "--bridge", bridge.address("command"), "--wav", wav)) {
+            try (Python hearing = Python.script(folder, "speech_pocketsphinx.py", "--bridge", bridge.address("command"), "--wav",
+                    wav)) {
                 assertTrue(hearing.ended(0).contains("heard \"give me the red ball\", belief 2"), hearing.text());
             }
             JsonNode belief = wire.must("{'v':1,'type':'state'}").get("belief");

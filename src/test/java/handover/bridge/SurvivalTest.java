@@ -63,7 +63,7 @@ class SurvivalTest {
         for (int k = 1; k < 3000; k++) {
             sent.add(message(1, k, chance));
         }
-        try (BridgeProcess bridge = BridgeProcess.start(folder, DOMAIN, "--solver", "confirm", "--log", log.toString());
+        try (BridgeProcess bridge = BridgeProcess.start(folder, DOMAIN, "--solver", "confirm", "--queue", "100000", "--log", log.toString());
                 WireClient wire = new WireClient(bridge)) {
             wire.must(sent.get(0));
             wire.listen("belief");
