@@ -69,7 +69,7 @@ class GeneratedDomainsTest {
     @CsvSource(delimiter = '|', textBlock = """
             generated-0 | generated-0: expected from 1 to 200 objects
             generated-201-base | generated-201-base: expected from 1 to 200 objects
-            generated-5-quick | generated-5-quick: variant: expected base, communicated, incremental, incremental_communicated or
+            generated-5-quick | generated-5-quick: variant: expected base, communicated, incremental, incremental_communicated, nested or
             generated-x | generated-x: there is no such file
             """)
     void whatCannotBeMeantIsSaid(String name, String message) {
