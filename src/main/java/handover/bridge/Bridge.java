@@ -229,8 +229,9 @@ public final class Bridge implements AutoCloseable {
         @Override
         public void publish(String topic, Supplier<String> json) {
             if (subscriptions.wants(topic)) {
+                byte[] event = json.get().getBytes(StandardCharsets.UTF_8);
                 events.sendMore(topic);
-                events.send(json.get().getBytes(StandardCharsets.UTF_8), ZMQ.DONTWAIT);
+                events.send(event, ZMQ.DONTWAIT);
             }
         }
     }

@@ -48,6 +48,11 @@ public interface BeliefMdp<N> {
     /** What some simple policy earns after an act, before anything is observed. */
     double leaf(N predicted);
 
+    /** How much an act has to do with what is thought likely: where there are too many acts to try all, those with most are tried. */
+    default double relevance(N node, int act) {
+        return 0;
+    }
+
     /** The act of some simple policy that listens to what is observed, for rollouts; -1 if none is known that leaves do not value. */
     default int simple(N node) {
         return -1;

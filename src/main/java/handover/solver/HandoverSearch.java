@@ -298,6 +298,20 @@ public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
         return effect.advance() * onward + (1 - effect.advance()) * stalled;
     }
 
+    /** How likely it is that the human takes the act for a yes to their wish; a WAIT is always relevant. */
+    @Override
+    public double relevance(Node node, int act) {
+        double[] match = node.task.effect(act).model().match();
+        if (match == null) {
+            return 1;
+        }
+        double sum = 0;
+        for (int i = 0; i < node.n; i++) {
+            sum += node.b.p[i] * match[i];
+        }
+        return sum;
+    }
+
     @Override
     public int simple(Node node) {
         return node.policy.simple(node);

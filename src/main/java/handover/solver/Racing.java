@@ -2,7 +2,9 @@ package handover.solver;
 
 import handover.math.Streams;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * Races acts against each other: every act that may still be the best gets one more drawn observation at a time, the same
@@ -19,6 +21,8 @@ final class Racing<N> {
     /** An act is out if it is behind by more than so many standard errors and the slack. */
     private static final double STANDARD_ERRORS = 2.5;
     private static final int BATCH = 8;
+    /** More acts than this do not race: at a table of a hundred objects time would not do for a single batch. */
+    private static final int MOST = 128;
     private static final double GOLDEN = 0.6180339887498949;
 
     /**
@@ -144,14 +148,15 @@ final class Racing<N> {
         return better(best, played, earned, q);
     }
 
-    /** All acts that may be the best enter a race. */
+    /** All acts that may be the best enter a race; if there are too many, the most relevant of them. */
     private void enter(N root) {
-        left = 0;
-        for (int a = 0; a < mdp.acts(root); a++) {
-            if (mdp.bound(root, a) >= lower) {
-                alive[left++] = a;
-            }
+        int[] acts = IntStream.range(0, mdp.acts(root)).filter(a -> mdp.bound(root, a) >= lower).toArray();
+        if (acts.length > MOST) {
+            acts = Arrays.stream(acts).boxed().sorted(Comparator.comparingDouble(a -> -mdp.relevance(root, a))).limit(MOST)
+                    .mapToInt(a -> a).sorted().toArray();
         }
+        left = acts.length;
+        System.arraycopy(acts, 0, alive, 0, left);
     }
 
     /** What the rollouts favour, if they earn more for sure than the best act is worth by looking ahead. */
