@@ -19,6 +19,8 @@ public final class Timeline {
     private final int events;
     /** When the last act happened, in seconds; negative infinity if that does not matter any more. */
     private final double lastAct;
+    /** What was sensed before this belongs to no step that is known, in seconds. */
+    private final double first;
 
     /** The event is older than what can still be weighed. */
     public static final class StaleException extends RuntimeException {
@@ -39,16 +41,17 @@ public final class Timeline {
         }
     }
 
-    private Timeline(BeliefTracker now, Event last, int events, double lastAct) {
+    private Timeline(BeliefTracker now, Event last, int events, double lastAct, double first) {
         this.now = now;
         this.last = last;
         this.events = events;
         this.lastAct = lastAct;
+        this.first = first;
     }
 
     /** The beginning of an episode at the time {@code t}; nothing that was sensed before belongs to it. */
     public static Timeline of(BeliefTracker start, double t) {
-        return new Timeline(start, null, 0, t);
+        return new Timeline(start, null, 0, t, t);
     }
 
     /** The tracker after all of it. */
@@ -74,48 +77,48 @@ public final class Timeline {
      * @throws StaleException if it is too old, or older than what is remembered
      */
     public Timeline sensed(double t, double arrival, UnaryOperator<BeliefTracker> change, double memory) {
-        if (t < arrival - memory) {
+        if (t < arrival - memory || t < first) {
             throw new StaleException();
         } else if (t < lastAct) {
             return inserted(t, change);
         } else if (!(lastAct >= arrival - memory)) {
-            return new Timeline(change.apply(now), null, 0, lastAct);
+            return new Timeline(change.apply(now), null, 0, lastAct, first);
         }
         return append(new Event(t, false, change, now, null), change.apply(now), lastAct);
     }
 
     /** Forgets when things happened, because the clock was set. */
     public Timeline timeless() {
-        return new Timeline(now, null, 0, Double.NEGATIVE_INFINITY);
+        return new Timeline(now, null, 0, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY);
     }
 
     private Timeline append(Event event, BeliefTracker next, double act) {
         if (events < MOST && (last != null || event.act)) {
-            return new Timeline(next, event.after(last), events + 1, act);
+            return new Timeline(next, event.after(last), events + 1, act, first);
         }
-        return event.act ? new Timeline(next, event, 1, act) : new Timeline(next, null, 0, act);
+        return event.act ? new Timeline(next, event, 1, act, lastAct) : new Timeline(next, null, 0, act, lastAct);
     }
 
     private Timeline inserted(double t, UnaryOperator<BeliefTracker> change) {
         Deque<Event> later = new ArrayDeque<>();
-        Event first = null;
+        Event next = null;
         for (Event e = last; e != null && !(e.act && e.t <= t); e = e.previous) {
             later.push(e);
-            first = e.act ? e : first;
+            next = e.act ? e : next;
         }
-        if (first == null) {
+        if (next == null) {
             throw new StaleException();
         }
-        while (later.peek() != first) {
+        while (later.peek() != next) {
             later.pop();
         }
-        BeliefTracker tracker = change.apply(first.before);
-        Event event = first.previous == null ? null : new Event(t, false, change, first.before, first.previous);
+        BeliefTracker tracker = change.apply(next.before);
+        Event event = next.previous == null ? null : new Event(t, false, change, next.before, next.previous);
         for (Event e : later) {
             event = new Event(e.t, e.act, e.change, tracker, event);
             tracker = e.change.apply(tracker);
         }
-        return new Timeline(tracker, event, first.previous == null ? events : events + 1, lastAct);
+        return new Timeline(tracker, event, next.previous == null ? events : events + 1, lastAct, first);
     }
 
     /** Without what is older than the first act since {@code t}. */
@@ -130,12 +133,12 @@ public final class Timeline {
             kept.pop();
         }
         if (acts == 0 || kept.size() == events) {
-            return acts == 0 ? new Timeline(now, null, 0, lastAct) : this;
+            return acts == 0 ? new Timeline(now, null, 0, lastAct, first) : this;
         }
         Event event = null;
         for (Event e : kept) {
             event = e.after(event);
         }
-        return new Timeline(now, event, kept.size(), lastAct);
+        return new Timeline(now, event, kept.size(), lastAct, first);
     }
 }

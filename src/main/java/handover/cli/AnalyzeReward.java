@@ -39,6 +39,8 @@ import picocli.CommandLine.Option;
 @Command(name = "reward", description = {"What each match reward wants the human to believe, and how much it makes the robot communicate.",
     "Writes for a grid of beliefs b the h that maximises each score (CSV), then plays episodes under each reward."})
 final class AnalyzeReward implements Callable<Integer> {
+    private static final int MOST_BELIEFS = 100_000;
+
     @Option(names = "--domain", paramLabel = "NAME|FILE", defaultValue = "bowls-and-spoons",
             description = "What is on the table (default: ${DEFAULT-VALUE}).")
     private String domain;
@@ -73,12 +75,25 @@ final class AnalyzeReward implements Callable<Integer> {
         UsageException.checkAtLeast("--episodes", episodes, 2);
         UsageException.checkAtLeast("--objects", objects, 2);
         UsageException.checkAtLeast("--grid", grid, 1);
+        checkGrid();
         DomainSpec spec = DomainFiles.read(domain);
         Solver chosen = Solvers.parse(solver);
         console.out().print(bestExpectations());
         console.out().println("\nThe grid is in " + csv + ".\n");
         console.out().print(communication(spec, chosen));
         return Main.FINE;
+    }
+
+    /** There are (grid + objects - 1) over (objects - 1) ways to share out the parts of the grid. */
+    private void checkGrid() {
+        double beliefs = 1;
+        for (int k = 1; k < objects && beliefs <= MOST_BELIEFS; k++) {
+            beliefs *= (double) (grid + k) / k;
+        }
+        if (beliefs > MOST_BELIEFS) {
+            throw new UsageException("--objects, --grid: expected at most " + MOST_BELIEFS + " beliefs in the grid, got more with "
+                    + objects + " objects and multiples of 1/" + grid);
+        }
     }
 
     /** Writes the grid; gives a table of how far the best h is from b and from a vertex. */

@@ -26,7 +26,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** Serves decisions to a robot and its sensors until it is told to stop. */
-@Command(name = "bridge", description = "Serve decisions to a robot and its sensors over ZeroMQ (PROTOCOL.md).")
+@Command(name = "bridge", description = "Serve decisions to a robot and its sensors over ZeroMQ (docs/bridge.md).")
 final class BridgeCommand implements Callable<Integer> {
     private static final long SHUTDOWN_MS = 1800;
     private static final double LONGEST = 3600;
@@ -103,7 +103,7 @@ final class BridgeCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        if (domain == null) {
+        if (domain == null && resume == null) {
             throw new UsageException("expected the name or file of a domain; see handover bridge --help");
         }
         check();
@@ -111,7 +111,7 @@ final class BridgeCommand implements Callable<Integer> {
         if (chosen.clairvoyant()) {
             throw new UsageException("--solver: " + chosen.name() + " is told what the person wants, which nobody knows here");
         }
-        HandoverDomain on = DomainFiles.load(domain);
+        HandoverDomain on = domain == null ? logged() : DomainFiles.load(domain);
         Recovery start = resume == null ? Recovery.none(on, seed, maxAge) : recovery(on);
         Path file = resume != null ? resume : log.equals(NO_LOG) ? null
                 : Path.of(log.isEmpty() ? "session-" + STAMP.format(Instant.now()) + ".jsonl" : log);
@@ -129,6 +129,12 @@ final class BridgeCommand implements Callable<Integer> {
             bridge.run(start, writer);
         }
         return Main.FINE;
+    }
+
+    private HandoverDomain logged() throws IOException {
+        try (SessionLogReader reader = SessionLogReader.open(resume)) {
+            return reader.domain();
+        }
     }
 
     private Recovery recovery(HandoverDomain on) throws IOException {

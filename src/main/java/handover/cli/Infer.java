@@ -15,7 +15,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 
 /** Answers each message on standard input with what the robot should believe. */
-@Command(name = "infer", description = "Read messages (PROTOCOL.md: begin, acted, speech, gesture, scene, state, end; one JSON "
+@Command(name = "infer", description = "Read messages (docs/bridge.md: begin, acted, speech, gesture, scene, state, end; one JSON "
         + "object a line), answer each with the belief.")
 final class Infer implements Callable<Integer> {
     @Parameters(paramLabel = "DOMAIN", description = "Name or file of the domain.")

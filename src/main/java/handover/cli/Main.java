@@ -79,13 +79,17 @@ public final class Main implements Runnable {
                 .addSubcommand(new Export(console))
                 .addSubcommand(new CommandLine(new Analyze()).addSubcommand(new AnalyzeReward(console))
                         .addSubcommand(new AnalyzeCancels(console)).addSubcommand(new AnalyzeNearest(console))
-                        .addSubcommand(new AnalyzeNested(console)));
+                        .addSubcommand(new AnalyzeNested(console)).addSubcommand(new AnalyzeLoss(console)));
         line.setOut(new PrintWriter(console.out(), true)).setErr(new PrintWriter(console.err(), true));
         line.setExpandAtFiles(false);
         line.setColorScheme(CommandLine.Help.defaultColorScheme(console.live() ? Ansi.AUTO : Ansi.OFF));
         line.setParameterExceptionHandler((e, given) -> main.refuse(e));
         line.setExecutionExceptionHandler((e, command, result) -> main.fail(e));
-        return line.execute(args.length == 0 ? new String[] {"simulate"} : args);
+        try {
+            return line.execute(args.length == 0 ? new String[] {"simulate"} : args);
+        } catch (OutOfMemoryError e) {
+            return main.complain(e, DIFFERENT, "there is not enough memory for this; make it smaller or give Java more (JAVA_OPTS=-Xmx8g)");
+        }
     }
 
     /** Only called if there is a command line, but no command in it. */
@@ -123,7 +127,7 @@ public final class Main implements Runnable {
         };
     }
 
-    private int complain(Exception e, int code, String problem) {
+    private int complain(Throwable e, int code, String problem) {
         console.err().println("handover: " + String.valueOf(problem).replaceAll("\\s*\\R\\s*", " "));
         if (debug) {
             e.printStackTrace(console.err());

@@ -66,7 +66,7 @@ final class Precompute implements Callable<Integer> {
     public Integer call() throws IOException, InterruptedException {
         UsageException.checkAtLeast("--beliefs", beliefs, 1);
         UsageException.checkAtLeast("--point-ms", pointMs, 0);
-        UsageException.checkAtLeast("--threads", threads, 1);
+        UsageException.checkThreads(threads);
         Solver solver = Solvers.parse(teacher);
         if (solver.clairvoyant()) {
             throw new UsageException("--teacher: " + solver.name() + " is told what the person wants, which nobody knows later");

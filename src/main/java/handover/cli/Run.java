@@ -54,18 +54,26 @@ final class Run {
     }
 
     /**
-     * Plays what is not finished.
+     * What plays the episodes of each solver, by its name. Solves, and so may find that a solver does not suit the domain: to be
+     * called before a log is replaced.
      *
      * @param solvers with the names of the header
-     * @param log receives each episode as soon as all before it are there; null for none
      */
-    void play(List<Solver> solvers, int threads, Console console, EpisodeLogWriter log, Progress progress)
-            throws InterruptedException {
+    Map<String, EpisodeRunner> runners(List<Solver> solvers, Console console) {
         HandoverDomain domain = DomainFiles.domain(header.domain());
         HandoverDomain people = header.asModelled() ? domain : DomainFiles.domain(header.people());
         Map<String, EpisodeRunner> runners = new LinkedHashMap<>();
         solvers.forEach(s -> runners.put(s.name(), new EpisodeRunner(domain, people, s, header.seed(), header.maxSteps(),
                 Deadlines.after(header.deadlineMs(), console.nanoClock()), console.nanoClock())));
+        return runners;
+    }
+
+    /**
+     * Plays what is not finished.
+     *
+     * @param log receives each episode as soon as all before it are there; null for none
+     */
+    void play(Map<String, EpisodeRunner> runners, int threads, EpisodeLogWriter log, Progress progress) throws InterruptedException {
         for (String solver = next(); solver != null; solver = next()) {
             List<Episode> list = finished.get(solver);
             int from = list.size();

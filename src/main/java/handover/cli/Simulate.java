@@ -5,6 +5,7 @@ import handover.domain.TableObject;
 import handover.io.DomainFiles;
 import handover.io.EpisodeLogWriter;
 import handover.io.RunHeader;
+import handover.simulation.EpisodeRunner;
 import handover.simulation.Summary;
 import handover.solver.Clairvoyant;
 import handover.solver.RandomActs;
@@ -14,6 +15,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
@@ -75,7 +77,7 @@ final class Simulate implements Callable<Integer> {
     @Override
     public Integer call() throws IOException, InterruptedException {
         UsageException.checkAtLeast("--episodes", episodes, 1);
-        UsageException.checkAtLeast("--threads", threads, 1);
+        UsageException.checkThreads(threads);
         UsageException.checkAtLeast("--deadline-ms", deadlineMs, 0);
         UsageException.checkAtLeast("--max-steps", maxSteps, 1);
         List<Solver> players = players();
@@ -87,11 +89,12 @@ final class Simulate implements Callable<Integer> {
             return playTimed(header, players);
         }
         Run run = new Run(header);
+        Map<String, EpisodeRunner> runners = run.runners(players, console);
         try (EpisodeLogWriter log = log(header, run)) {
             console.out().print(introduction(header));
             Progress progress = new Progress(console, "episodes", run.done(), run.total());
             try {
-                run.play(players, threads, console, log, progress);
+                run.play(runners, threads, log, progress);
             } finally {
                 progress.end();
             }

@@ -73,7 +73,7 @@ final class Solve implements Callable<Integer> {
     @Override
     public Integer call() throws InterruptedException {
         UsageException.checkAtLeast("--episodes", episodes, 1);
-        UsageException.checkAtLeast("--threads", threads, 1);
+        UsageException.checkThreads(threads);
         UsageException.checkAtLeast("--deadline-ms", deadlineMs, 0);
         UsageException.checkAtLeast("--max-steps", maxSteps, 0);
         List<TabularSolver> players = players();

@@ -85,15 +85,18 @@ final class CommitOrWait {
         this.pricePerPick = price * increments;
         this.matchBound = IntStream.range(0, n).mapToDouble(i -> domain.matchBound(Simplex.vertex(n, i), n)).max().orElseThrow();
         this.lastDiscount = PickPrice.outcome(domain.pickRule(), gamma);
-        double best = Math.max(Math.max(0, price + matchBound) + Math.max(0, domain.pickReward(true)) + Math.max(0, afterHandover),
-                waiting(matchBound));
-        double steps = Math.max(0, matchBound + scene.acts().stream().mapToDouble(m -> start.effect(m.index()).reward()).max()
-                .orElseThrow()) / (1 - gamma);
+        double act = scene.acts().stream().mapToDouble(m -> start.effect(m.index()).reward()).max().orElseThrow();
+        double steps = Math.max(0, matchBound + act + Math.max(0, domain.spec().rewards().annoyance())) / (1 - gamma);
         double handover = Math.max(0, domain.pickReward(true));
         this.most = domain.pickReward(false) > 0 ? Double.POSITIVE_INFINITY : steps + domain.spec().handovers() * handover;
         this.mostAfterHandover = domain.spec().handovers() == 1 ? 0 : most - handover;
         this.boundOfRightPick = domain.pickReward(true) + gamma * Math.max(0, afterHandover);
-        this.boundOfWrongPick = domain.pickReward(false) + gamma * Math.max(0, best);
+        double perPick = Math.max(0, increments * (price + matchBound));
+        double best = Math.max(0, waiting(matchBound));
+        for (int k = 0; k < MOST_PICKS; k++) {
+            best = Math.max(best, perPick + Math.max(Math.max(0, boundOfRightPick), domain.pickReward(false) + gamma * best));
+        }
+        this.boundOfWrongPick = domain.pickReward(false) + gamma * best;
         this.perIncrement = domain.pickRule().perIncrement(gamma);
         this.tries = domain.pickRule().tries(gamma);
         this.onAdvance = domain.pickRule().onAdvance(gamma);

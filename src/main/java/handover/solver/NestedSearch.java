@@ -317,6 +317,11 @@ final class NestedSearch implements BeliefSearch<NestedSearch.Node> {
     }
 
     @Override
+    public double relevance(Node node, int act) {
+        return plain.relevance(node.plain, act);
+    }
+
+    @Override
     public double leaf(Node predicted) {
         HandoverSearch.Node at = predicted.plain;
         if (predicted.count == 1) {

@@ -2,6 +2,7 @@ package handover.tabular;
 
 import handover.math.SeededRandom;
 import handover.solver.Deadline;
+import java.util.Arrays;
 
 /**
  * Heuristic search from a belief with a bound on its value from both sides, which close in on it. A trial goes down from the root of a
@@ -29,6 +30,8 @@ final class BoundedSearch {
     private final TabularPomdp m;
     private final int acts;
     private final int far;
+    /** Bounds that are as close as this may never come closer, because beliefs that are almost equal are one node. */
+    private final double rounding;
     private final Clock clock = new Clock();
     private final BeliefGraph graph;
     private final SeededRandom random = new SeededRandom();
@@ -55,6 +58,8 @@ final class BoundedSearch {
         acts = m.acts().size();
         far = m.discount() == 0 ? 1 : (int) Math.max(1, Math.min(DEEPEST, Math.ceil(Math.log(FAR) / Math.log(m.discount()))));
         graph = new BeliefGraph(m, learned, clock);
+        double largest = Arrays.stream(m.reward).map(Math::abs).max().orElseThrow();
+        rounding = 4 * BeliefStore.SAME * largest / (1 - m.discount()) / (1 - m.discount());
     }
 
     /** Searches from a belief, from what was learnt before, until what is asked for is done or the deadline passes. */
@@ -77,7 +82,7 @@ final class BoundedSearch {
 
     /** The gap at which it stops; where the value is about 0, relative to what the bounds span at first. */
     private double precision() {
-        return order.gap * Math.max(Math.abs(graph.upper(root)), SMALL * span);
+        return Math.max(rounding, order.gap * Math.max(Math.abs(graph.upper(root)), SMALL * span));
     }
 
     /** Whether no other act can be better than the one that is best by its lower bound. */

@@ -105,6 +105,9 @@ class TimelineTest {
         Timeline timeline = Timeline.of(START, 100);
         assertThrows(Timeline.StaleException.class, () -> timeline.sensed(99.9, 100.1, t -> t, MEMORY));
         assertEquals(START, timeline.sensed(100, 100.1, t -> t, MEMORY).now());
+        Timeline acted = timeline.acted(100.5, t -> t.started(Act.WAIT), MEMORY);
+        assertThrows(Timeline.StaleException.class, () -> acted.sensed(99.9, 100.6, t -> t, MEMORY));
+        assertEquals(START.started(Act.WAIT), acted.sensed(100, 100.6, t -> t, MEMORY).now());
     }
 
     /** So many events that they cannot all be remembered: nothing is lost but the possibility to be late. */
@@ -122,6 +125,7 @@ class TimelineTest {
         assertThrows(Timeline.StaleException.class, () -> full.sensed(0.9, 1.2, saw, MEMORY));
         Timeline next = full.acted(1.5, t -> t.completed(Act.WAIT, PickSignal.NONE), MEMORY);
         assertEquals(saw.apply(full.now()).completed(Act.WAIT, PickSignal.NONE), next.sensed(1.4, 1.6, saw, MEMORY).now());
+        assertThrows(Timeline.StaleException.class, () -> next.sensed(0.9, 1.6, saw, MEMORY), "in a step that is forgotten");
     }
 
     @Test

@@ -31,6 +31,7 @@ class BridgeCommandTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
             bridge                                                    | expected the name or file of a domain; see handover bridge --help
+            bridge --resume nolog                                     | nolog: there is no such file
             bridge nowhere                                            | nowhere: there is no such file
             bridge table-line-6 --command tcp://0.0.0.0:*             | --command: tcp://0.0.0.0:* can be reached from other machines
             bridge table-line-6 --stream here                         | --stream: expected tcp://HOST:PORT, got "here"
@@ -67,7 +68,7 @@ class BridgeCommandTest {
     @Test
     void stopsWhenItIsToldToAndGoesOnAfterItWasKilled() throws Exception {
         Path log = folder.resolve("log.jsonl");
-        Process first = start("--log", log.toString());
+        Process first = start("table-line-6", "--log", log.toString());
         try {
             assertEquals(0, ready(first).get("belief_version").asInt());
             first.destroyForcibly();
@@ -91,6 +92,12 @@ class BridgeCommandTest {
             second.destroyForcibly();
         }
         assertEquals(2, Files.readAllLines(log).size(), "the torn line is gone");
+        Process third = start("table-line-6", "--resume", log.toString());
+        try {
+            assertEquals(1, ready(third).get("belief_version").asInt());
+        } finally {
+            third.destroyForcibly().waitFor();
+        }
         assertEquals("1 episodes with 1 messages agree\n", Output.of("replay", log.toString()).out());
         Output other = Output.of("bridge", "table-line-5", "--resume", log.toString());
         assertEquals("handover: " + log + ": is the log of another domain than table-line-5\n", other.err());
@@ -99,7 +106,7 @@ class BridgeCommandTest {
     /** An address that is taken must not leave an empty log behind. */
     @Test
     void nothingIsLoggedByABridgeThatCannotStart() throws Exception {
-        Process first = start("--log", "none");
+        Process first = start("table-line-6", "--log", "none");
         try {
             String taken = ready(first).get("sockets").get("events").asText();
             Path log = folder.resolve("second.jsonl");
@@ -116,7 +123,7 @@ class BridgeCommandTest {
 
     private Process start(String... more) throws IOException {
         List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
-                System.getProperty("java.class.path"), "handover.cli.Main", "bridge", "table-line-6", "--solver", "confirm"));
+                System.getProperty("java.class.path"), "handover.cli.Main", "bridge", "--solver", "confirm"));
         Stream.of("--command", "--stream", "--events").forEach(s -> command.addAll(List.of(s, "tcp://127.0.0.1:*")));
         command.addAll(List.of(more));
         return new ProcessBuilder(command).redirectError(folder.resolve("err").toFile()).start();

@@ -108,6 +108,19 @@ class SimulateTest {
         assertEquals(Main.BAD_INPUT, o.code());
     }
 
+    /** What a solver needs is looked at before an old log is replaced. */
+    @Test
+    void aSolverThatCannotPlayCostsNoLog() throws IOException {
+        Path log = folder.resolve("a.jsonl");
+        simulate(log);
+        byte[] before = Files.readAllBytes(log);
+        Output o = Output.of("simulate", "--solver", "nearest:" + folder.resolve("nothing.policy"), "--out", log.toString());
+        assertEquals(Main.BAD_INPUT, o.code());
+        assertEquals("handover: " + folder.resolve("nothing.policy") + ": there is no such file\n", o.err());
+        assertEquals("", o.out());
+        assertArrayEquals(before, Files.readAllBytes(log));
+    }
+
     @Test
     void peopleMayBeOther() throws IOException {
         Path people = Files.writeString(folder.resolve("people.json"), "{\"acts\": {\"wait\": {\"speech_rate\": 0.1}}}");

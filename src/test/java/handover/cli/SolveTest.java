@@ -52,6 +52,7 @@ class SolveTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
             solve nothing.POMDP | nothing.POMDP: there is no such file or folder
+            solve src | src: is a directory, not a file
             solve pom.xml | pom.xml:1:1: expected discount, values, states, actions, observations, start, T, O or R, got "<?xml"
             solve | Missing required parameter: 'FILE'
             solve x --solver sarsop | solver "sarsop": expected one of anytime, point-based, exact, poss, qmdp, fib, random

@@ -17,6 +17,9 @@ class UsageTest {
             simulate --episodes x | Invalid value for option '--episodes': 'x' is not an int
             simulate --episodes 0 --out - | --episodes: expected a whole number of at least 1, got 0
             simulate --threads 0 --out - | --threads: expected a whole number of at least 1, got 0
+            simulate --threads 1000000 --out - | --threads: expected a whole number of at most 1024, got 1000000
+            analyze reward --objects 50 | --objects, --grid: expected at most 100000 beliefs in the grid, got more with 50 objects
+            analyze reward --grid 2147483647 | --objects, --grid: expected at most 100000 beliefs in the grid, got more with 3 objects
             simulate --deadline-ms -1 --out - | --deadline-ms: expected a whole number of at least 0, got -1
             simulate --max-steps 0 --out - | --max-steps: expected a whole number of at least 1, got 0
             simulate --domain tabel --out - | tabel: there is no such file, and no shipped domain of this name

@@ -25,6 +25,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.random.RandomGenerator;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -68,6 +69,12 @@ class NestedSearchTest {
         return q;
     }
 
+    private static <N> double[] relevance(BeliefSearch<N> mdp, HandoverBelief belief) {
+        N root = mdp.node();
+        mdp.load(root, belief);
+        return IntStream.range(0, mdp.acts(root)).mapToDouble(a -> mdp.relevance(root, a)).toArray();
+    }
+
     private static HandoverSearch plain(HandoverBelief belief) {
         return new HandoverSearch(belief.scene(), new ConcurrentHashMap<>());
     }
@@ -78,6 +85,7 @@ class NestedSearchTest {
         HandoverDomain domain = DomainFiles.domain(spec);
         for (int e = 0; e < 2; e++) {
             for (HandoverBelief belief : beliefs(domain, new SplittableRandom(e))) {
+                assertArrayEquals(relevance(plain(belief), belief), relevance(new NestedSearch(plain(belief), 8), belief), 1e-9);
                 for (boolean leaves : new boolean[] {true, false}) {
                     assertArrayEquals(values(plain(belief), belief, 3, 1, leaves),
                             values(new NestedSearch(plain(belief), 8), belief, 3, 1, leaves), 1e-9, belief + ", " + belief.task());

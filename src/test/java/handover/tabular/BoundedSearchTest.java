@@ -2,6 +2,7 @@ package handover.tabular;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import handover.solver.Deadline;
@@ -138,5 +139,15 @@ class BoundedSearchTest {
     private static Deadline stopsAfter(int checks) {
         AtomicInteger left = new AtomicInteger(checks);
         return () -> left.decrementAndGet() < 0;
+    }
+
+    /** Where few beliefs can be reached, the bounds close in on the value up to rounding, and then it stops. */
+    @Property(tries = 20)
+    void aGapOfNothingEnds(@ForAll @LongRange(min = 1, max = 1000) long seed) {
+        TabularPomdp m = RandomPomdps.of(seed, 0.9);
+        BoundedSearch search = new BoundedSearch(m, Learned.nothing(m));
+        AtomicInteger checks = new AtomicInteger();
+        search.search(m.start(), new BoundedSearch.Order(0, false, 2000, seed), () -> checks.incrementAndGet() > 100_000);
+        assertFalse(search.stopped());
     }
 }
