@@ -9,7 +9,7 @@ import handover.domain.Speech;
 import java.util.function.UnaryOperator;
 
 /**
- * Follows a real robot: the belief moves with what it did and with what is sensed, event by event (PROTOCOL.md,
+ * Follows a real robot: the belief moves with what it did and with what is sensed, event by event (docs/bridge.md,
  * {@code acted}). What may have to be undone is followed beside it, so that the size does not depend on how much was sensed.
  * Immutable, thread safe; every method returns the next tracker.
  *

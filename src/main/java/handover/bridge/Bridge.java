@@ -23,7 +23,7 @@ import org.zeromq.ZContext;
 import org.zeromq.ZMQ;
 
 /**
- * A running bridge: the sockets of PROTOCOL.md and the one thread that owns them and moves the belief. {@link #run} is that
+ * A running bridge: the sockets of docs/bridge.md and the one thread that owns them and moves the belief. {@link #run} is that
  * thread; {@link #stop} may be called by any other.
  */
 public final class Bridge implements AutoCloseable {

@@ -2,7 +2,7 @@ package handover.bridge;
 
 import java.util.List;
 
-/** What events are published under (PROTOCOL.md). */
+/** What events are published under (docs/bridge.md). */
 final class Topics {
     static final String BELIEF = "belief";
     static final String DECISION = "decision";

@@ -84,7 +84,7 @@ public record DomainSpec(String name, String description, String variant, List<T
         checkWords(objects, speech);
     }
 
-    /** The defaults of MODEL.md with these objects. */
+    /** The defaults of MODEL with these objects. */
     public static DomainSpec of(String name, List<TableObject> objects) {
         Map<String, ActParameters> acts = new LinkedHashMap<>();
         acts.put("wait", new ActParameters(-1, 1, 0.4, 0.3, 0.5, 0.5));

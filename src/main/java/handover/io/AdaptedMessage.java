@@ -9,7 +9,7 @@ import java.time.Instant;
 import java.time.OffsetDateTime;
 
 /**
- * What another publisher says, as a message of PROTOCOL.md: the payload is under {@code message} (or is the whole), the time
+ * What another publisher says, as a message of docs/bridge.md: the payload is under {@code message} (or is the whole), the time
  * under {@code originatingTime} (ISO 8601, .NET ticks or Unix seconds).
  */
 public final class AdaptedMessage {

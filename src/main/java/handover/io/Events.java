@@ -6,7 +6,7 @@ import handover.domain.Scene;
 import java.util.List;
 import java.util.Map;
 
-/** What is published, as JSON on one line without line end (PROTOCOL.md, {@code events}). */
+/** What is published, as JSON on one line without line end (docs/bridge.md, {@code events}). */
 public final class Events {
     private Events() {}
 

@@ -10,7 +10,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 
-/** What is answered, as JSON on one line without line end (PROTOCOL.md). */
+/** What is answered, as JSON on one line without line end (docs/bridge.md). */
 public final class Replies {
     private Replies() {}
 

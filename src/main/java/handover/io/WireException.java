@@ -1,6 +1,6 @@
 package handover.io;
 
-/** A message that cannot be used: what PROTOCOL.md's error reply says. */
+/** A message that cannot be used: what docs/bridge.md's error reply says. */
 public final class WireException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A message of PROTOCOL.md whose fields were checked as far as that is possible without knowing the domain: whether the
+ * A message of docs/bridge.md whose fields were checked as far as that is possible without knowing the domain: whether the
  * objects, the frame and the act exist is for the receiver to say. Immutable.
  */
 public sealed interface WireMessage {

@@ -24,7 +24,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
-/** PROTOCOL, {@code acted}: the belief moves with what the robot did, and an act that nobody could see is undone. */
+/** docs/bridge.md, {@code acted}: the belief moves with what the robot did, and an act that nobody could see is undone. */
 class BeliefTrackerTest {
     private static final List<TableObject> OBJECTS = List.of(
             new TableObject("a", new Vector3(-0.3, 0.6, 0), Map.of("red", 3.0), null),

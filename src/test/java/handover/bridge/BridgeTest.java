@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.zeromq.SocketType;
 import org.zeromq.ZMQ;
 
-/** PROTOCOL.md over real sockets. */
+/** docs/bridge.md over real sockets. */
 class BridgeTest {
     @Test
     void anEpisode() {

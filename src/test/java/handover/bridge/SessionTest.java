@@ -20,7 +20,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
-/** When something was sensed, and where: the rules of PROTOCOL.md about time, order and frames. */
+/** When something was sensed, and where: the rules of docs/bridge.md about time, order and frames. */
 class SessionTest {
     private static final DomainSpec SPEC = DomainFiles.read("table-line-6").with(s -> s.frames = Map.of("camera",
             new Frame(List.of(List.of(0.0, -1.0, 0.0), List.of(1.0, 0.0, 0.0), List.of(0.0, 0.0, 1.0)),

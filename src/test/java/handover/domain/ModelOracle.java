@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.TreeSet;
 
 /**
- * MODEL.md sections 3 and 4 a second time: read from the text, in the most naive way, slow on purpose. Shares nothing with
+ * MODEL sections 3 and 4 a second time: read from the text, in the most naive way, slow on purpose. Shares nothing with
  * the code under test but plain data ({@link DomainSpec}, {@link Act}). Objects are numbered as in {@code present}.
  */
 public final class ModelOracle {
