@@ -15,7 +15,7 @@ import org.slf4j.LoggerFactory;
 /** The decision that is asked for: at most one at a time, and always answered by its deadline. Used by one thread. */
 final class Decisions {
     private static final Logger LOG = LoggerFactory.getLogger(Decisions.class);
-    private static final double NANOS = 1e6;
+    private static final double NANOS_PER_MS = 1e6;
     /** So long after the deadline the reply goes out, with what there is. */
     private static final long GRACE_NANOS = 5_000_000;
 
@@ -77,7 +77,7 @@ final class Decisions {
             Pending before = drop();
             answers.reply(before.client, Replies.superseded(before.envelope.id()));
         }
-        Planner.Job job = planner.job(answered, (long) (NANOS * (message.deadlineMs() == null ? defaultMs : message.deadlineMs())));
+        Planner.Job job = planner.job(answered, (long) (NANOS_PER_MS * (message.deadlineMs() == null ? defaultMs : message.deadlineMs())));
         pending = new Pending(client, envelope, job);
         if (newest.get().belief().task().done()) {
             answer(newest.get(), Decision.of(Act.WAIT).noted("the episode is over"), false);
@@ -130,7 +130,7 @@ final class Decisions {
         answered++;
         vitals.count("decisions");
         vitals.decided(nanos, nanos + asked.job.left());
-        answers.decision(asked.client, Replies.decision(asked.envelope.id(), at.belief(), decision, nanos / NANOS, at.version(),
+        answers.decision(asked.client, Replies.decision(asked.envelope.id(), at.belief(), decision, nanos / NANOS_PER_MS, at.version(),
                 fallback));
     }
 

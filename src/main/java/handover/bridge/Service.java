@@ -38,6 +38,14 @@ final class Service implements AutoCloseable {
     /** The envelope of the message that is being handled, as far as it could be read. */
     private WireMessage.Envelope about = NOBODY;
     private long lastBeat;
+    /** What the last episode was closed with, for a client that did not get it and asks again; null if none was. */
+    private Summary summary;
+
+    private record Summary(WireMessage.Envelope asked, String reply) {
+        boolean isOf(WireMessage.Envelope again) {
+            return asked.id() != null && asked.id().equals(again.id()) && asked.source().equals(again.source());
+        }
+    }
 
     /**
      * @param log receives what is applied and answered; null for none
@@ -182,7 +190,10 @@ final class Service implements AutoCloseable {
         if (message instanceof WireMessage.State) {
             return Replies.state(re, now.belief(), now.version(), now.episode(), vitals.counters());
         } else if (message instanceof WireMessage.End && outcome.applied()) {
-            return Replies.summary(re, now.belief(), now.acts(), now.version(), now.episode());
+            summary = new Summary(message.envelope(), Replies.summary(re, now.belief(), now.acts(), now.version(), now.episode()));
+            return summary.reply;
+        } else if (message instanceof WireMessage.End && summary != null && summary.isOf(message.envelope())) {
+            return summary.reply;
         }
         return Replies.ok(re, now.version(), outcome.remarks());
     }

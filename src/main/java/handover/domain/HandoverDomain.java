@@ -103,7 +103,11 @@ public class HandoverDomain implements DomainGenerator {
         return spec.perception().exact() ? Percept.exact(act) : Percept.of(act, offered, spec.perception());
     }
 
-    /** The price of an act, with annoyance: what does not depend on any belief and does not complete a pick (MODEL 6). */
+    /**
+     * The price of an act, with annoyance: what does not depend on any belief and does not complete a pick (MODEL 6). Searches take
+     * an act to be dearest or cheapest at the start of an episode or as the open reference; a variant in which an act pays more in
+     * other tasks changes what they leave out (rule 18 of the contract finds that).
+     */
     public double actReward(Task before, ActModel act) {
         boolean annoying = act.isCommunicative() && act.act().equals(before.openReference());
         return act.type().parameters().reward() + (annoying ? spec.rewards().annoyance() : 0);
@@ -222,6 +226,11 @@ public class HandoverDomain implements DomainGenerator {
         double[] given = scene.objects().stream()
                 .mapToDouble(o -> spec.prior().getOrDefault(o.name(), 0.0)).toArray();
         return Simplex.normalise(given, given.length) > 0 ? given : Simplex.uniform(scene.size());
+    }
+
+    /** The expected reward of a completed pick of an object that is wanted with probability {@code right}. */
+    public final double expectedPickReward(double right) {
+        return right * pickReward(true) + (1 - right) * pickReward(false);
     }
 
     /** The human's belief after an act, as a new array; {@code h} is not modified. */

@@ -15,8 +15,8 @@ import java.util.Map;
 /**
  * The value of a policy that asks about one object after the other, the likeliest first, hands over the first that gets a
  * yes, and listens to nothing else. It is followed in expectation along the one path on which nobody says yes. A yes counts
- * as it does on average over what the human may take the question for. Its match part, which is small, is that of a human who expects nothing in particular before each question, and 0 for the pick that
- * follows a yes. Used by one thread at a time.
+ * as it does on average over what the human may take the question for. Its match part, which is small, is that of a human who
+ * expects nothing in particular before each question, and 0 for the pick that follows a yes. Used by one thread at a time.
  */
 final class AskInTurn {
     /** Longer paths are not followed. */

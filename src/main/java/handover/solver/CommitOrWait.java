@@ -13,9 +13,9 @@ import java.util.stream.IntStream;
 
 /**
  * What leaves are worth: the best of four simple policies that can be executed. Hand over the likeliest object now, and go on
- * after a wrong one; wait for ever; {@link AskInTurn}; or, where a pick takes increments, {@link ReachInTurn}. The first two observe nothing, so that their value is a lower bound
- * on that of any good policy (where the wish stands still, tau = 1; otherwise what happens after a wrong object is rounded);
- * the others are bounds up to their match part. What does not change among the acts of a belief is computed once for it, and
+ * after a wrong one; wait for ever; {@link AskInTurn}; or, where a pick takes increments, {@link ReachInTurn}. The first two
+ * observe nothing, so that their value is a lower bound on that of any good policy (where the wish stands still, tau = 1;
+ * otherwise what happens after a wrong object is rounded); the others are bounds up to their match part. What does not change among the acts of a belief is computed once for it, and
  * what cannot beat the others is not computed at all. Used by one thread at a time.
  */
 final class CommitOrWait {
@@ -124,7 +124,7 @@ final class CommitOrWait {
         int x = b.likeliest();
         ActEffect pick = node.task.effect(picks[x]);
         int ask = asking.act(x);
-        boolean complete = !pick.completes() || ask < 0 || search.pickReward(b.p[x]) > asking(b);
+        boolean complete = !pick.completes() || ask < 0 || domain.expectedPickReward(b.p[x]) > asking(b);
         return complete ? picks[x] : ask;
     }
 
@@ -210,7 +210,7 @@ final class CommitOrWait {
             task = effect.during();
             expected = next;
             if (effect.completes()) {
-                return value + discount * onAdvance * (search.pickReward(wanted[x])
+                return value + discount * onAdvance * (domain.expectedPickReward(wanted[x])
                         + domain.discount() * later(wanted[x], task, afterRejection));
             }
             discount *= perIncrement;
@@ -280,7 +280,7 @@ final class CommitOrWait {
             return now + onward;
         }
         double right = node.b.p[effect.model().target()];
-        double outcome = search.pickReward(right) + right * domain.discount() * mostAfterHandover + (1 - right) * onward;
+        double outcome = domain.expectedPickReward(right) + right * domain.discount() * mostAfterHandover + (1 - right) * onward;
         return now + effect.advance() * outcome + (1 - effect.advance()) * onward;
     }
 
@@ -363,7 +363,7 @@ final class CommitOrWait {
             if (b.commitBound > asking(b)) {
                 Task picking = node.task.effect(picks[x]).during();
                 double afterRejection = right < 1 ? afterRejection(b, x, picking) : 0;
-                b.commitBound = price + lastDiscount * (search.pickReward(right)
+                b.commitBound = price + lastDiscount * (domain.expectedPickReward(right)
                         + domain.discount() * later(right, picking, afterRejection));
             }
         }

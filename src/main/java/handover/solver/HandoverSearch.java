@@ -140,7 +140,7 @@ public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
         next.effect = effect;
         next.b = predicted(node, next.own);
         next.answerable = !effect.completes();
-        return effect.completes() ? effect.advance() * pickReward(next.b.p[effect.model().target()]) : 0;
+        return effect.completes() ? effect.advance() * domain.expectedPickReward(next.b.p[effect.model().target()]) : 0;
     }
 
     /** b after the transition of omega; without one, the node's own. */
@@ -152,11 +152,6 @@ public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
         out.begin(node.b.p, node.n);
         Simplex.propagate(tau, out.p, out.p, node.n);
         return out;
-    }
-
-    /** The expected reward of a completed pick of an object that is wanted with probability {@code right}. */
-    double pickReward(double right) {
-        return right * domain.pickReward(true) + (1 - right) * domain.pickReward(false);
     }
 
     @Override

@@ -19,7 +19,7 @@ final class PickWhenSure {
         HandoverDomain domain = belief.domain();
         double[] b = belief.probabilities();
         int x = Simplex.argmax(b, b.length);
-        double expected = b[x] * domain.pickReward(true) + (1 - b[x]) * domain.pickReward(false);
+        double expected = domain.expectedPickReward(b[x]);
         return expected > domain.discount() * domain.pickReward(true)
                 ? Act.of(PickType.VERB, belief.scene().objects().get(x).name()) : null;
     }

@@ -1,5 +1,6 @@
 package handover.solver;
 
+import handover.math.Simplex;
 import handover.math.Streams;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -110,8 +111,9 @@ final class Racing<N> {
         first.values(root, 1, seed, Deadline.NONE, q);
         depth = 1;
         finished = false;
-        lower = Arrays.stream(q, 0, mdp.acts(root)).max().orElseThrow();
-        enter(root);
+        int nearest = Simplex.argmax(q, mdp.acts(root));
+        lower = q[nearest];
+        enter(root, nearest);
         int best = best(q);
         int played = -1;
         double earned = 0;
@@ -122,7 +124,7 @@ final class Racing<N> {
             }
             int[] others = Arrays.copyOf(alive, left);
             if (rollouts) {
-                enter(root);
+                enter(root, nearest);
             }
             int done = race(root, k, Streams.mix(seed, k), deadline);
             if (done >= BATCH && rollouts) {
@@ -148,12 +150,12 @@ final class Racing<N> {
         return better(best, played, earned, q);
     }
 
-    /** All acts that may be the best enter a race; if there are too many, the most relevant of them. */
-    private void enter(N root) {
+    /** All acts that may be the best enter a race; if there are too many, the most relevant of them, and the best one act ahead. */
+    private void enter(N root, int nearest) {
         int[] acts = IntStream.range(0, mdp.acts(root)).filter(a -> mdp.bound(root, a) >= lower).toArray();
         if (acts.length > MOST) {
-            acts = Arrays.stream(acts).boxed().sorted(Comparator.comparingDouble(a -> -mdp.relevance(root, a))).limit(MOST)
-                    .mapToInt(a -> a).sorted().toArray();
+            acts = Arrays.stream(acts).boxed().sorted(Comparator.comparingDouble(
+                    a -> a == nearest ? Double.NEGATIVE_INFINITY : -mdp.relevance(root, a))).limit(MOST).mapToInt(a -> a).sorted().toArray();
         }
         left = acts.length;
         System.arraycopy(acts, 0, alive, 0, left);

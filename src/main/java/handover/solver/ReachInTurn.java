@@ -121,7 +121,7 @@ final class ReachInTurn {
     /** Of a completed pick, and what follows if it was wrong. */
     private double outcome(double[] p, int x, Task during, int objections) {
         double right = p[x];
-        double now = right * domain.pickReward(true) + (1 - right) * domain.pickReward(false);
+        double now = domain.expectedPickReward(right);
         if (right >= 1 || during.completed(false).done()) {
             return now;
         }

@@ -104,9 +104,4 @@ public final class TabularSearch implements BeliefMdp<TabularSearch.Node> {
     public double leaf(Node predicted) {
         return leaves.size() == 0 ? 0 : leaves.value(predicted.b);
     }
-
-    @Override
-    public double bound(Node node, int act) {
-        return Double.POSITIVE_INFINITY;
-    }
 }

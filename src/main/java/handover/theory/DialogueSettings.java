@@ -34,18 +34,8 @@ public record DialogueSettings(int objects, int acts, double stay, double attent
         return new DialogueSettings(objects, 10, 0.95, 0.9, 0.1, 0.05, 0.5, Double.POSITIVE_INFINITY);
     }
 
-    /** The same with another tau_H. */
-    public DialogueSettings withStay(double tau) {
-        return new DialogueSettings(objects, acts, tau, attention, confusion, narrowest, widest, concentration);
-    }
-
     /** The same with acts that are noticed with probability {@code q} and then confused with probability {@code p}. */
     public DialogueSettings withPerception(double q, double p) {
         return new DialogueSettings(objects, acts, stay, q, p, narrowest, widest, concentration);
-    }
-
-    /** The same with beta_0 drawn from a symmetric Dirichlet of this alpha_0. */
-    public DialogueSettings withConcentration(double total) {
-        return new DialogueSettings(objects, acts, stay, attention, confusion, narrowest, widest, total);
     }
 }

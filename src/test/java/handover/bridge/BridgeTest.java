@@ -62,10 +62,11 @@ class BridgeTest {
             JsonNode state = bridge.ask("{'v':1,'type':'state'}");
             assertEquals("5 1 1 true 5", state.get("belief_version").asInt() + " " + state.get("episode").asInt() + " "
                     + state.get("handovers").asInt() + " " + state.get("done").asBoolean() + " " + state.get("scene").size());
-            JsonNode summary = bridge.ask("{'v':1,'type':'end'}");
+            JsonNode summary = bridge.ask("{'v':1,'type':'end','id':'e1'}");
             assertEquals("summary 2 6", summary.get("type").asText() + " " + summary.get("acts").asInt() + " "
                     + summary.get("belief_version").asInt());
             assertEquals("end", bridge.event("episode").get("event").asText());
+            assertEquals(summary, bridge.ask("{'v':1,'type':'end','id':'e1'}"), "asked again by who did not get it");
             assertEquals("no_episode", bridge.ask("{'v':1,'type':'end'}").get("code").asText());
         }
     }
