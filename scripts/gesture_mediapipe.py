@@ -67,7 +67,7 @@ def messages(frames: Iterable[Frame], field_of_view: float, name: str, hold: flo
 
 def recorded(path: str) -> Iterator[Frame]:
     """Pictures' landmarks from a file with one JSON object a line: t, width, height, image, world."""
-    with open(path, encoding="utf-8") as lines:
+    with open(path, "rb") as lines:
         for number, line in enumerate(lines, 1):
             try:
                 yield Frame.of(json.loads(line))

@@ -30,6 +30,8 @@ def main() -> int:
     parser.add_argument("--rate", type=int, default=10000, metavar="N", help="messages a second on stream (default: 10000)")
     parser.add_argument("--pid", type=int, metavar="PID", help="the bridge's process, to see its memory (Linux)")
     given = parser.parse_args()
+    if given.count < 1:
+        raise client.BadInput(f"--count: expected a whole number of at least 1, got {given.count}")
     with client.connect(given, "load") as bridge:
         if given.what == "speech":
             print(summary("speech to belief", speech(bridge, given.count)))

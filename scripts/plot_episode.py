@@ -17,7 +17,12 @@ def find(path, index, solver):
             entry = json.loads(line)
             if entry.get("episode") == index and entry.get("solver") == solver:
                 return entry
-    sys.exit(f"{path}: there is no episode {index} of {solver}")
+    fail(f"{path}: there is no episode {index} of {solver}")
+
+
+def fail(problem):
+    print(f"plot_episode.py: {problem}", file=sys.stderr)
+    sys.exit(2)
 
 
 def heard(step):
@@ -58,5 +63,14 @@ def draw(episode):
 
 if __name__ == "__main__":
     if len(sys.argv) != 4:
-        sys.exit(__doc__)
-    print(draw(find(sys.argv[1], int(sys.argv[2]), sys.argv[3])))
+        fail("expected LOG EPISODE SOLVER > FILE, for instance episodes.jsonl 0 confirm > episode.svg")
+    log, number, name = sys.argv[1:]
+    if not number.isdecimal():
+        fail(f"expected the number of an episode, got {number}")
+    try:
+        picture = draw(find(log, int(number), name))
+    except OSError as e:
+        fail(f"{log}: {e.strerror}")
+    except (ValueError, KeyError, AttributeError, IndexError):
+        fail(f"{log}: expected a log of handover simulate")
+    print(picture)

@@ -23,8 +23,10 @@ def main() -> int:
     parser.add_argument("--seed", type=int, metavar="N", help="for the planner (default: the bridge's own)")
     parser.add_argument("--scale", type=float, default=1.0, metavar="S", help="seconds are this much longer (default: 1)")
     given = parser.parse_args()
+    if not given.scale >= 0:
+        raise client.BadInput(f"--scale: expected a number of at least 0, got {given.scale}")
+    offer = at_keyboard if given.hand == "keyboard" else to_person(given.hand)
     with client.connect(given, "robot") as bridge:
-        offer = at_keyboard if given.hand == "keyboard" else to_person(given.hand)
         robot = Robot(bridge, offer, given.scale)
         bridge.ask("begin", **({} if given.seed is None else {"seed": given.seed}))
         for _ in range(given.acts):
@@ -67,7 +69,10 @@ class Robot:
 def to_person(address: str) -> Callable[[str], bool]:
     socket = zmq.Context.instance().socket(zmq.REQ)
     socket.linger = 0
-    socket.connect(address)
+    try:
+        socket.connect(address)
+    except zmq.ZMQError as e:
+        raise client.BadInput(f"--hand {address}: expected keyboard or an address such as {HAND} ({e})") from e
 
     def offer(name: str) -> bool:
         socket.send(json.dumps({"offer": name}).encode())

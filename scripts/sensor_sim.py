@@ -32,6 +32,8 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=1, metavar="N", help="the same seed, the same person (default: 1)")
     parser.add_argument("--scale", type=float, default=1.0, metavar="S", help="seconds are this much longer (default: 1)")
     given = parser.parse_args()
+    if not given.scale >= 0:
+        raise client.BadInput(f"--scale: expected a number of at least 0, got {given.scale}")
     with client.connect(given, "person") as bridge:
         view = read_json(given.domain) if given.domain else bridge.hello()
         own = merged(view if given.domain else {"shoulder": view["shoulder"]}, read_json(given.human) if given.human else {})

@@ -36,6 +36,15 @@ class ScriptsTest(unittest.TestCase):
                 ("gesture_mediapipe.py", ["--camera", "0"], "expected --model"),
                 ("gesture_mediapipe.py", ["--landmarks", "/nowhere", "--dry-run"], "/nowhere: No such file or directory"),
                 ("gesture_mediapipe.py", ["--landmarks", "/nowhere", "--fov", "200"], "--fov: expected degrees"),
+                ("gesture_mediapipe.py", ["--landmarks", sys.executable, "--dry-run"], ":1: expected a picture's landmarks"),
+                ("robot_sim.py", ["--scale", "-1"], "--scale: expected a number of at least 0, got -1.0"),
+                ("sensor_sim.py", ["--scale", "nan"], "--scale: expected a number of at least 0, got nan"),
+                ("robot_sim.py", ["--hand", "foo"], "--hand foo: expected keyboard or an address such as tcp://"),
+                ("plot_episode.py", [], "expected LOG EPISODE SOLVER"),
+                ("plot_episode.py", ["/nowhere", "0", "confirm"], "/nowhere: No such file or directory"),
+                ("plot_episode.py", ["/nowhere", "first", "confirm"], "expected the number of an episode, got first"),
+                ("plot_episode.py", [__file__, "0", "confirm"], "test_scripts.py: expected a log of handover simulate"),
+                ("plot_episode.py", [os.devnull, "0", "confirm"], "there is no episode 0 of confirm"),
                 ("speech_pocketsphinx.py", ["--dry-run"], "expected --domain"),
                 ("speech_pocketsphinx.py", ["--dry-run", "--domain", __file__], "test_scripts.py: expected JSON")):
             with self.subTest(name + str(arguments)):

@@ -28,6 +28,8 @@ final class CommitOrWait {
     private final HandoverDomain domain;
     private final AskInTurn asking;
     private final ReachInTurn reaching;
+    /** Whether a pick is one increment, to which nobody objects. */
+    private final boolean atOnce;
     private final Evidence evidence;
     private final int n;
     private final double[] uniform;
@@ -72,6 +74,7 @@ final class CommitOrWait {
         this.waitReward = start.effect(Act.WAIT).reward();
         this.unanswered = waiting(domain.matchReward(uniform, uniform, n));
         this.asking = new AskInTurn(scene);
+        this.atOnce = domain.pickRule().increments() == 1;
         this.reaching = new ReachInTurn(scene, asking, picks, unanswered);
         double[] fresh = Simplex.uniform(n - 1);
         this.afterHandover = n == 1 ? 0 : waiting(domain.matchReward(fresh, fresh, n - 1));
@@ -117,7 +120,7 @@ final class CommitOrWait {
      * asking in turn; if not, asks. -1 where a pick is one increment.
      */
     int simple(HandoverSearch.Node node) {
-        if (domain.pickRule().increments() == 1) {
+        if (atOnce) {
             return -1;
         }
         SearchBelief b = node.b;
@@ -175,6 +178,9 @@ final class CommitOrWait {
 
     /** The value of reaching in turn when nothing is reached for. */
     private double reaching(SearchBelief b) {
+        if (atOnce) {
+            return Double.NEGATIVE_INFINITY;
+        }
         if (Double.isNaN(b.reaching)) {
             b.reaching = reaching.value(b.p, b.likeliest());
         }

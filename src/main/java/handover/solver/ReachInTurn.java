@@ -61,9 +61,9 @@ final class ReachInTurn {
         objecting = new double[MOST_OBJECTIONS + 1][n];
     }
 
-    /** The value at a belief at which nothing is reached for; minus infinity if a pick is one increment, to which nobody objects. */
+    /** The value at a belief at which nothing is reached for. */
     double value(double[] b, int likeliest) {
-        return human[likeliest].length == 1 ? Double.NEGATIVE_INFINITY : value(b, start, likeliest, 0);
+        return value(b, start, likeliest, 0);
     }
 
     /**
