@@ -28,6 +28,9 @@ import picocli.CommandLine.Parameters;
 /** Serves decisions to a robot and its sensors until it is told to stop. */
 @Command(name = "bridge", description = "Serve decisions to a robot and its sensors over ZeroMQ (docs/bridge.md).")
 final class BridgeCommand implements Callable<Integer> {
+    private static final String SOLVER = "poss";
+    private static final long SEED = 1;
+    private static final double MAX_AGE = 2;
     private static final long SHUTDOWN_MS = 1800;
     private static final double LONGEST = 3600;
     private static final String NO_LOG = "none";
@@ -36,8 +39,8 @@ final class BridgeCommand implements Callable<Integer> {
     @Parameters(paramLabel = "DOMAIN", arity = "0..1", description = "Name or file of the domain.")
     private String domain;
 
-    @Option(names = "--solver", paramLabel = "SPEC", defaultValue = "poss",
-            description = "NAME, NAME:key=value,key=value or a class (default: ${DEFAULT-VALUE}).")
+    @Option(names = "--solver", paramLabel = "SPEC",
+            description = "NAME, NAME:key=value,key=value or a class (default: " + SOLVER + "; with --resume that of the log).")
     private String solver;
 
     @Option(names = "--command", paramLabel = "ADDRESS", defaultValue = "tcp://127.0.0.1:5701",
@@ -65,8 +68,8 @@ final class BridgeCommand implements Callable<Integer> {
     @Option(names = "--insecure", description = "Let other machines in without encryption.")
     private boolean insecure;
 
-    @Option(names = "--seed", defaultValue = "1", description = "Of the chance that decisions use (default: ${DEFAULT-VALUE}).")
-    private long seed;
+    @Option(names = "--seed", description = "Of the chance that decisions use (default: " + SEED + "; with --resume that of the log).")
+    private Long seed;
 
     @Option(names = "--deadline-ms", paramLabel = "D", defaultValue = "1000",
             description = "Milliseconds for a decision whose request gives no deadline (default: ${DEFAULT-VALUE}).")
@@ -76,9 +79,9 @@ final class BridgeCommand implements Callable<Integer> {
             description = "Plan anew when the belief moved by more while planning: total variation (default: ${DEFAULT-VALUE}).")
     private double replan;
 
-    @Option(names = "--max-age", paramLabel = "SECONDS", defaultValue = "2",
-            description = "What was sensed longer ago is not used (default: ${DEFAULT-VALUE}).")
-    private double maxAge;
+    @Option(names = "--max-age", paramLabel = "SECONDS",
+            description = "What was sensed longer ago is not used (default: " + MAX_AGE + "; with --resume that of the log).")
+    private Double maxAge;
 
     @Option(names = "--source-timeout", paramLabel = "SECONDS", defaultValue = "10",
             description = "A source that is silent for longer is reported once (default: ${DEFAULT-VALUE}).")
@@ -106,6 +109,7 @@ final class BridgeCommand implements Callable<Integer> {
         if (domain == null && resume == null) {
             throw new UsageException("expected the name or file of a domain; see handover bridge --help");
         }
+        settle();
         check();
         Solver chosen = Solvers.parse(solver);
         if (chosen.clairvoyant()) {
@@ -129,6 +133,27 @@ final class BridgeCommand implements Callable<Integer> {
             bridge.run(start, writer);
         }
         return Main.FINE;
+    }
+
+    /** A session goes on with the seed and the age that it began with, and with its solver unless another one is asked for. */
+    private void settle() throws IOException {
+        if (resume == null) {
+            solver = solver == null ? SOLVER : solver;
+            seed = seed == null ? SEED : seed;
+            maxAge = maxAge == null ? MAX_AGE : maxAge;
+            return;
+        }
+        try (SessionLogReader reader = SessionLogReader.open(resume)) {
+            SessionHeader begun = reader.header();
+            if (seed != null && seed != begun.seed()) {
+                throw new UsageException("--seed: " + resume + " began with " + begun.seed() + ", got " + seed);
+            } else if (maxAge != null && maxAge != begun.maxAge()) {
+                throw new UsageException("--max-age: " + resume + " began with " + begun.maxAge() + ", got " + maxAge);
+            }
+            solver = solver == null ? begun.solver() : solver;
+            seed = begun.seed();
+            maxAge = begun.maxAge();
+        }
     }
 
     private HandoverDomain logged() throws IOException {

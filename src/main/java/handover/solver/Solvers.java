@@ -3,6 +3,7 @@ package handover.solver;
 import java.util.List;
 import java.util.ServiceLoader;
 import java.util.function.Function;
+import java.util.stream.Stream;
 
 /**
  * The solvers by the names under which people ask for them: {@code NAME}, {@code NAME:key=value,key=value}, or the name of
@@ -51,12 +52,17 @@ public final class Solvers {
 
     /** The known names, in the order in which help shows them. */
     public static List<String> names() {
-        return ALL.stream().map(Entry::name).toList();
+        return Stream.concat(ALL.stream().map(Entry::name), providers().map(SolverProvider::name)).toList();
+    }
+
+    private static Stream<SolverProvider> providers() {
+        return ServiceLoader.load(SolverProvider.class, Solvers.class.getClassLoader()).stream().map(ServiceLoader.Provider::get);
     }
 
     /** What a known solver does, with its parameters and their defaults, in one line. */
     public static String description(String name) {
-        return ALL.stream().filter(e -> e.name.equals(name)).findFirst().orElseThrow().description;
+        return Stream.concat(ALL.stream().filter(e -> e.name.equals(name)).map(Entry::description),
+                providers().filter(p -> p.name().equals(name)).map(SolverProvider::description)).findFirst().orElseThrow();
     }
 
     /**
@@ -73,10 +79,9 @@ public final class Solvers {
                 return make(s -> entry.make.apply(SolverParameters.of(entry.name, entry.keys, s)), usual(spec));
             }
         }
-        for (SolverProvider provider : ServiceLoader.load(SolverProvider.class, Solvers.class.getClassLoader())) {
-            if (provider.name().equals(name)) {
-                return make(provider::make, spec);
-            }
+        SolverProvider provider = providers().filter(p -> p.name().equals(name)).findFirst().orElse(null);
+        if (provider != null) {
+            return make(provider::make, spec);
         }
         if (name.indexOf('.') > 0) {
             return ofClass(spec);

@@ -85,7 +85,7 @@ class SurvivalTest {
     void toldToStopItStopsSoonAndEveryAnswerIsInItsLog() throws Exception {
         Path log = folder.resolve("session.jsonl");
         SplittableRandom chance = new SplittableRandom(13);
-        try (BridgeProcess bridge = BridgeProcess.start(folder, "kitchen-20", "--solver", "poss:H=3,C=10", "--log", log.toString());
+        try (BridgeProcess bridge = BridgeProcess.start(folder, "kitchen-20", "--solver", "poss:H=6,C=50", "--log", log.toString());
                 WireClient wire = new WireClient(bridge)) {
             wire.must("{'v':1,'type':'begin','id':'b'}");
             int version = 1;

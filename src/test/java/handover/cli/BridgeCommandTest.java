@@ -101,6 +101,8 @@ class BridgeCommandTest {
         assertEquals("1 episodes with 1 messages agree\n", Output.of("replay", log.toString()).out());
         Output other = Output.of("bridge", "table-line-5", "--resume", log.toString());
         assertEquals("handover: " + log + ": is the log of another domain than table-line-5\n", other.err());
+        Output seed = Output.of("bridge", "--resume", log.toString(), "--seed", "99");
+        assertEquals("handover: --seed: " + log + " began with 1, got 99\n", seed.err());
     }
 
     /** An address that is taken must not leave an empty log behind. */

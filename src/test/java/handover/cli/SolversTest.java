@@ -48,16 +48,18 @@ class SolversTest {
             assertEquals(s, Solvers.parse(s.name()));
         }
         for (String name : Solvers.names()) {
-            assertEquals(name, Solvers.parse(name).name().split(":")[0]);
+            if (!name.equals("nearest")) { // which needs a file
+                assertEquals(name, Solvers.parse(name).name().split(":")[0]);
+            }
             assertFalse(Solvers.description(name).isBlank());
         }
     }
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-            possum | expected one of poss, anytime, threshold, confirm, heuristic, greedy, qmdp, burlap, random, clairvoyant, or the full name of a class that \
+            possum | expected one of poss, anytime, threshold, confirm, heuristic, greedy, qmdp, burlap, random, clairvoyant, nearest, or the full name of a class that \
             implements handover.solver.Solver
-            `` | expected one of poss, anytime, threshold, confirm, heuristic, greedy, qmdp, burlap, random, clairvoyant, or the full name of a class that \
+            `` | expected one of poss, anytime, threshold, confirm, heuristic, greedy, qmdp, burlap, random, clairvoyant, nearest, or the full name of a class that \
             implements handover.solver.Solver
             poss: | expected key=value with keys from H, C, leaf, threads, got nothing after the colon
             poss:H | expected key=value with keys from H, C, leaf, threads, got "H"

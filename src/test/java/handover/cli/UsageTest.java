@@ -25,7 +25,7 @@ class UsageTest {
             simulate --domain tabel --out - | tabel: there is no such file, and no shipped domain of this name
             simulate --human nobody.json --out - | nobody.json: there is no such file
             simulate --solver poss --solver poss:H=3 --out - | --solver: expected each solver once, got poss:H=3,C=10 twice
-            simulate --solver mcts --out - | solver "mcts": expected one of poss, anytime, threshold, confirm, heuristic, greedy, qmdp, burlap, random, clairvoyant
+            simulate --solver mcts --out - | solver "mcts": expected one of poss, anytime, threshold, confirm, heuristic, greedy, qmdp, burlap, random, clairvoyant, nearest
             simulate --resume --out - | --resume: expected a log to resume, got --out -
             plan --solver clairvoyant | --solver: clairvoyant is told what the person wants, which nobody knows here
             plan --belief cup=1 | --belief: cup: expected the name of an object, one of metal_bowl, color_bowl
