@@ -13,11 +13,11 @@ import handover.solver.Policy;
 import handover.solver.Solver;
 import handover.solver.Solvers;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.random.RandomGenerator;
+import java.util.stream.IntStream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -31,8 +31,9 @@ final class AnalyzeLoss implements Callable<Integer> {
             description = "What is on the table (default: ${DEFAULT-VALUE}).")
     private String domain;
 
-    @Option(names = "--solver", paramLabel = "SPEC", description = "Who decides; repeatable (default: poss:H=1,C=1; poss:H=2,C=10; "
-            + "poss:H=2,C=100; poss:H=3,C=5; poss:H=3,C=10; anytime:H=2,C=256; anytime).")
+    @Option(names = "--solver", paramLabel = "SPEC[@MS]", description = "Who decides, with a limit in milliseconds on a processor or several "
+            + "(as @5/20/50); repeatable, the first is compared with the others (default: poss:H=1,C=1; poss:H=2,C=10; poss:H=2,C=100; "
+            + "poss:H=3,C=5; poss:H=3,C=10; anytime:H=2,C=256; anytime).")
     private List<String> solvers = List.of("poss:H=1,C=1", PLAYER, "poss:H=2,C=100", "poss:H=3,C=5", "poss:H=3,C=10",
             "anytime:H=2,C=256", "anytime");
 
@@ -45,6 +46,10 @@ final class AnalyzeLoss implements Callable<Integer> {
 
     @Option(names = "--beliefs", defaultValue = "300", description = "How many beliefs (default: ${DEFAULT-VALUE}).")
     private int beliefs;
+
+    @Option(names = "--warm-up", paramLabel = "SECONDS", defaultValue = "3",
+            description = "How long each decides before it is measured: until then Java compiles (default: ${DEFAULT-VALUE}).")
+    private double warmUp;
 
     @Option(names = "--seed", defaultValue = "1", description = "Which beliefs, and which luck (default: ${DEFAULT-VALUE}).")
     private long seed;
@@ -60,13 +65,22 @@ final class AnalyzeLoss implements Callable<Integer> {
         UsageException.checkAtLeast("--beliefs", beliefs, 2);
         UsageException.checkAtLeast("--runs", runs, 1);
         HandoverDomain on = DomainFiles.load(domain);
-        List<Solver> chosen = solvers.stream().map(Solvers::parse).toList();
+        if (!(warmUp >= 0)) {
+            throw new UsageException("--warm-up: expected seconds of at least 0, got " + warmUp);
+        }
+        List<Contender> chosen = Contender.parse("--solver", solvers);
         List<HandoverBelief> at = met(on);
         double[][] values = values(on, at);
-        TextTable table = new TextTable(40, List.of("solver", "loss [95%]", "ms on a processor", "beliefs/decision"));
-        chosen.forEach(solver -> add(table, solver, on, at, values));
+        TextTable table = new TextTable(40, List.of("solver", "loss [95%]", "more than the first", "ms on a processor", "beliefs/decision"));
+        List<Double> first = null;
+        for (Contender contender : chosen) {
+            Run run = decide(contender, on, at, values);
+            table.add(run.cells(first));
+            first = first == null ? run.losses : first;
+        }
         console.out().printf(Locale.ROOT, "%s, %d beliefs, seed %d; values of %s, mean of %d%n%n%s%nloss: how much less the act is worth "
-                + "than the best one, in reward, on average over the beliefs.%n", on.spec().name(), beliefs, seed, reference, runs, table.text());
+                + "than the best one, in reward, on average over the beliefs; ms: the middle decision.%n", on.spec().name(), beliefs, seed,
+                reference, runs, table.text());
         return Main.FINE;
     }
 
@@ -120,23 +134,49 @@ final class AnalyzeLoss implements Callable<Integer> {
         return values;
     }
 
-    private void add(TextTable table, Solver solver, HandoverDomain on, List<HandoverBelief> at, double[][] values) {
-        Policy policy = solver.solve(on, Streams.of(seed, "solve", 0));
+    /** What one contender did at each belief. */
+    private record Run(Contender contender, List<Double> losses, List<Double> ms, long nodes) {
+        List<String> cells(List<Double> first) {
+            List<Double> sorted = ms.stream().sorted().toList();
+            return List.of(contender.name(), interval(losses), first == null ? "" : interval(differences(first)),
+                    String.format(Locale.ROOT, "%.2f", sorted.get(sorted.size() / 2)), String.valueOf(nodes / losses.size()));
+        }
+
+        private List<Double> differences(List<Double> first) {
+            return IntStream.range(0, losses.size()).mapToObj(i -> losses.get(i) - first.get(i)).toList();
+        }
+
+        private static String interval(List<Double> values) {
+            Estimate mean = Estimate.mean(values);
+            return String.format(Locale.ROOT, "%.3f [%.3f, %.3f]", mean.value(), mean.low(), mean.high());
+        }
+    }
+
+    private Run decide(Contender contender, HandoverDomain on, List<HandoverBelief> at, double[][] values) {
+        Policy policy = contender.solver().solve(on, Streams.of(seed, "solve", 0));
+        for (long k = 0, start = nanos(); nanos() - start < warmUp * 1e9; k++) {
+            decide(policy, contender, at.get((int) (k % at.size())), k);
+        }
         List<Double> losses = new ArrayList<>();
-        List<Double> times = new ArrayList<>();
+        List<Double> ms = new ArrayList<>();
         long nodes = 0;
         for (int i = 0; i < at.size(); i++) {
             HandoverBelief belief = at.get(i);
-            long before = ThreadMeter.nanos(console.nanoClock().getAsLong());
-            Decision decision = policy.decide(belief, Deadline.NONE, Streams.of(seed, "planner", i));
-            times.add((ThreadMeter.nanos(console.nanoClock().getAsLong()) - before) / 1e6);
+            long before = nanos();
+            Decision decision = decide(policy, contender, belief, i);
+            ms.add((nanos() - before) / 1e6);
             nodes += decision.nodes();
             losses.add(max(values[i]) - values[i][index(belief, decision.act())]);
         }
-        Estimate loss = Estimate.mean(losses);
-        Collections.sort(times);
-        table.add(List.of(solver.name(), String.format(Locale.ROOT, "%.3f [%.3f, %.3f]", loss.value(), loss.low(), loss.high()),
-                String.format(Locale.ROOT, "%.2f", times.get(times.size() / 2)), String.valueOf(nodes / at.size())));
+        return new Run(contender, losses, ms, nodes);
+    }
+
+    private Decision decide(Policy policy, Contender contender, HandoverBelief belief, long k) {
+        return policy.decide(belief, Deadlines.after(contender.ms(), this::nanos).get(), Streams.of(seed, "planner", k));
+    }
+
+    private long nanos() {
+        return ThreadMeter.nanos(console.nanoClock().getAsLong());
     }
 
     private static int index(HandoverBelief belief, Act act) {

@@ -19,14 +19,25 @@ class AnalyzeLossTest {
     @Test
     void theReferenceLosesNothingByItsOwnValues() {
         Output run = Output.of("analyze", "loss", "--beliefs", "20", "--runs", "1", "--reference", "poss:H=1,C=1", "--solver", "poss:H=1,C=1",
-                "--solver", "random");
+                "--solver", "random", "--warm-up", "0");
         assertEquals(0, run.code(), run.err());
         assertEquals(0, loss(run.out(), "poss:H=1,C=1"), 0);
         assertTrue(loss(run.out(), "random") > 3, run.out());
     }
 
+    /** The third column is the paired difference: with nothing lost by the first, the loss itself. And a limit is obeyed. */
+    @Test
+    void theFirstIsComparedWithTheOthers() {
+        Output run = Output.of("analyze", "loss", "--beliefs", "10", "--runs", "1", "--reference", "poss:H=1,C=1", "--warm-up", "0",
+                "--solver", "poss:H=1,C=1", "--solver", "random", "--solver", "poss:H=20,C=50@1");
+        assertEquals(0, run.code(), run.err());
+        assertTrue(Pattern.compile("(?m)^random\\s+(-?[0-9.]+ \\[.*?\\])\\s+\\1\\s").matcher(run.out()).find(), run.out());
+        assertTrue(run.out().contains("poss:H=20,C=50@1 "), run.out());
+    }
+
     @Test
     void whatCannotBeMeantIsSaid() {
+        assertTrue(Output.of("analyze", "loss", "--warm-up", "-1").err().contains("--warm-up: expected seconds of at least 0, got -1"));
         assertTrue(Output.of("analyze", "loss", "--beliefs", "1").err().contains("--beliefs: expected a whole number of at least 2"));
         Output run = Output.of("analyze", "loss", "--beliefs", "2", "--reference", "confirm");
         assertEquals(2, run.code());
