@@ -29,7 +29,15 @@ public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
     /** Whether what is wanted may change while the robot acts; the bounds then do not hold. */
     private final boolean moves;
     private final ConcurrentMap<Scene, Evidence> evidence;
-    private final Map<Scene, CommitOrWait> commitOrWait = new HashMap<>();
+    private final Map<Scene, AtTable> tables = new HashMap<>();
+
+    /**
+     * What is the same for all beliefs at a table.
+     *
+     * @param uniform what the human expects when a wish is new
+     * @param leaves what leaves are worth
+     */
+    record AtTable(Evidence evidence, double[] uniform, CommitOrWait leaves, LastLevel last) {}
 
     /**
      * For beliefs over at most the objects of {@code largest}.
@@ -67,8 +75,7 @@ public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
         double[] h;
         int n;
         Task task;
-        /** What leaves on this table are worth. */
-        CommitOrWait policy;
+        AtTable table;
         /** The act that leads here and may still be answered; null at the root. */
         ActEffect effect;
         /** The match reward of the act under way. */
@@ -92,7 +99,7 @@ public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
             b = own.begin(belief.probabilities(), n);
             h = belief.human();
             task = belief.task();
-            policy = commitOrWait(task.scene());
+            table = table(task.scene());
             expectations = ownExpectations;
             expectations.reset();
             return this;
@@ -136,7 +143,7 @@ public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
     double begin(Node node, ActEffect effect, Node next) {
         next.n = node.n;
         next.task = effect.during();
-        next.policy = node.policy;
+        next.table = node.table;
         next.effect = effect;
         next.b = predicted(node, next.own);
         next.answerable = !effect.completes();
@@ -167,7 +174,7 @@ public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
         next.answerable = predicted.answerable;
         next.n = predicted.n;
         next.task = predicted.task;
-        next.policy = predicted.policy;
+        next.table = predicted.table;
         next.h = predicted.h;
         next.b = predicted.b;
         double p = effect.advance();
@@ -195,8 +202,8 @@ public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
         if (next.task.done()) {
             return;
         }
-        next.policy = commitOrWait(next.task.scene());
-        double[] uniform = next.policy.uniform();
+        next.table = table(next.task.scene());
+        double[] uniform = next.table.uniform();
         next.h = uniform;
         next.b = next.own.begin(uniform, next.n);
         if (!right) {
@@ -234,13 +241,13 @@ public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
         double[] b = next.b.p;
         next.n = n;
         next.h = outcome.h;
-        next.policy = outcome.policy;
+        next.table = outcome.table;
         next.expectations = outcome.expectations;
         next.effect = outcome.effect;
         next.task = answer(outcome, i, random.nextDouble(), b);
         double which = random.nextDouble();
         if (random.nextDouble() < outcome.effect.model().type().parameters().gestureRate()) {
-            multiply(b, outcome.policy.evidence().gesture(i, which), n);
+            multiply(b, outcome.table.evidence().gesture(i, which), n);
         }
         speech(outcome, i, random, b);
         Simplex.normalise(b, n);
@@ -283,12 +290,12 @@ public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
     @Override
     public double leaf(Node predicted) {
         ActEffect effect = predicted.effect;
-        double onward = effect.completes() ? predicted.policy.afterPick(predicted) : predicted.policy.value(predicted);
+        double onward = effect.completes() ? predicted.table.leaves().afterPick(predicted) : predicted.table.leaves().value(predicted);
         if (effect.stalled() == null) {
             return onward;
         }
         predicted.task = effect.stalled().during();
-        double stalled = predicted.policy.value(predicted);
+        double stalled = predicted.table.leaves().value(predicted);
         predicted.task = effect.during();
         return effect.advance() * onward + (1 - effect.advance()) * stalled;
     }
@@ -309,21 +316,23 @@ public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
 
     @Override
     public int simple(Node node) {
-        return node.policy.simple(node);
+        return node.table.leaves().simple(node);
     }
 
     @Override
     public double bound(Node node, int act) {
-        return moves ? Double.POSITIVE_INFINITY : node.policy.bound(node, node.task.effect(act));
+        return moves ? Double.POSITIVE_INFINITY : node.table.leaves().bounds().act(node.b, node.task.effect(act));
     }
 
-    /** Acts are tried in the order in which they may be the best, until a bound shows that no other is. */
     @Override
     public double last(Node node, boolean leaves, Node next) {
-        return moves || !leaves ? BeliefSearch.super.last(node, leaves, next) : node.policy.last(node, next);
+        return moves || !leaves ? BeliefSearch.super.last(node, leaves, next) : node.table.last().best(node, next);
     }
 
-    private CommitOrWait commitOrWait(Scene scene) {
-        return commitOrWait.computeIfAbsent(scene, s -> new CommitOrWait(this, s, evidence.computeIfAbsent(s, Evidence::new)));
+    private AtTable table(Scene scene) {
+        return tables.computeIfAbsent(scene, s -> {
+            CommitOrWait leaves = new CommitOrWait(s);
+            return new AtTable(evidence.computeIfAbsent(s, Evidence::new), Simplex.uniform(s.size()), leaves, new LastLevel(this, s, leaves));
+        });
     }
 }

@@ -223,7 +223,7 @@ final class NestedSearch implements BeliefSearch<NestedSearch.Node> {
         next.reserve(outcome.count);
         next.count = outcome.count;
         next.plain.n = n;
-        next.plain.policy = at.policy;
+        next.plain.table = at.table;
         next.plain.effect = at.effect;
         next.understandings = outcome.understandings;
         for (int k = 0; k < outcome.count; k++) {
@@ -232,7 +232,7 @@ final class NestedSearch implements BeliefSearch<NestedSearch.Node> {
         answer(outcome, mind, i, random.nextDouble(), next);
         double which = random.nextDouble();
         if (random.nextDouble() < at.effect.model().type().parameters().gestureRate()) {
-            double[] gesture = at.policy.evidence().gesture(i, which);
+            double[] gesture = at.table.evidence().gesture(i, which);
             for (int k = 0; k < next.count; k++) {
                 multiply(next.p[k], gesture, n);
             }
