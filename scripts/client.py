@@ -24,6 +24,7 @@ from typing import Any, Callable, Dict, Iterator, NamedTuple, NoReturn, Optional
 from urllib.parse import urlsplit
 
 ADDRESS = "tcp://127.0.0.1:5701"
+TOPICS = ["belief", "decision", "act", "error", "heartbeat", "scene", "episode"]  # of events
 
 
 def fail(problem: str) -> NoReturn:

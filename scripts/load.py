@@ -36,8 +36,7 @@ def main() -> int:
         if given.what == "speech":
             print(summary("speech to belief", speech(bridge, given.count)))
         elif given.what == "decide":
-            late = decide(bridge, given)
-            print(summary("reply after the deadline", late))
+            print(punctuality(decide(bridge, given)))
         else:
             stream(bridge, given.seconds, given.rate, given.pid)
     return 0
@@ -47,6 +46,14 @@ def summary(what: str, ms: List[float]) -> str:
     ms = sorted(ms)
     at = lambda q: ms[min(len(ms) - 1, int(q * len(ms)))]
     return f"{what}: p50 {at(0.5):.2f} ms, p99 {at(0.99):.2f} ms, largest {ms[-1]:.2f} ms, n = {len(ms)}"
+
+
+def punctuality(late: List[float]) -> str:
+    """Of milliseconds by which replies came late, 0 for those that did not."""
+    count = sum(ms > 0 for ms in late)
+    if count == 0:
+        return f"none of {len(late)} replies came after its deadline"
+    return summary(f"{count} of {len(late)} replies came after their deadline (the others count as 0 ms)", late)
 
 
 def speech(bridge: Bridge, count: int) -> List[float]:

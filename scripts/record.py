@@ -14,10 +14,13 @@ import client
 def main() -> int:
     parser = client.options(__doc__)
     parser.add_argument("--topic", action="append", default=[],
-                        help="only this one (repeatable): belief, decision, act, error, heartbeat, scene, episode")
+                        help="only this one (repeatable): " + ", ".join(client.TOPICS))
     parser.add_argument("--out", metavar="FILE", help="append to this file (default: standard output)")
     parser.add_argument("--seconds", type=float, metavar="S", help="end by itself after so long")
     given = parser.parse_args()
+    for topic in given.topic:
+        if topic not in client.TOPICS:
+            raise client.BadInput(f"--topic: expected one of {', '.join(client.TOPICS)}, got {topic}")
     with ExitStack() as stack:
         out = stack.enter_context(open(given.out, "a", encoding="utf-8")) if given.out else sys.stdout
         bridge = stack.enter_context(client.connect(given, "record"))

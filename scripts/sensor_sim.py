@@ -10,6 +10,7 @@ Whether an offered object is taken is between person and robot, not the bridge's
 import heapq
 import itertools
 import json
+import math
 import random
 import time
 from typing import Any, Callable, Dict, List, Tuple
@@ -32,8 +33,10 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=1, metavar="N", help="the same seed, the same person (default: 1)")
     parser.add_argument("--scale", type=float, default=1.0, metavar="S", help="seconds are this much longer (default: 1)")
     given = parser.parse_args()
-    if not given.scale >= 0:
-        raise client.BadInput(f"--scale: expected a number of at least 0, got {given.scale}")
+    if not 0 < given.scale < math.inf:
+        raise client.BadInput(f"--scale: expected a number above 0, got {given.scale}")
+    if given.handovers < 1:
+        raise client.BadInput(f"--handovers: expected a whole number of at least 1, got {given.handovers}")
     with client.connect(given, "person") as bridge:
         view = read_json(given.domain) if given.domain else bridge.hello()
         own = merged(view if given.domain else {"shoulder": view["shoulder"]}, read_json(given.human) if given.human else {})

@@ -8,6 +8,7 @@ import unittest
 SCRIPTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, SCRIPTS)
 from client import zmq  # noqa: E402
+from load import punctuality  # noqa: E402
 from watch import View  # noqa: E402
 
 NAMES = ["sensor_sim.py", "robot_sim.py", "speech_pocketsphinx.py", "gesture_mediapipe.py", "record.py", "watch.py", "load.py"]
@@ -38,7 +39,15 @@ class ScriptsTest(unittest.TestCase):
                 ("gesture_mediapipe.py", ["--landmarks", "/nowhere", "--fov", "200"], "--fov: expected degrees"),
                 ("gesture_mediapipe.py", ["--landmarks", sys.executable, "--dry-run"], ":1: expected a picture's landmarks"),
                 ("robot_sim.py", ["--scale", "-1"], "--scale: expected a number of at least 0, got -1.0"),
-                ("sensor_sim.py", ["--scale", "nan"], "--scale: expected a number of at least 0, got nan"),
+                ("record.py", ["--bridge", DEAD, "--topic", "act", "--topic", "nope"],
+                 "--topic: expected one of belief, decision, act, error, heartbeat, scene, episode, got nope"),
+                ("record.py", ["--bridge", DEAD, "--topic", ""], "heartbeat, scene, episode, got "),
+                ("sensor_sim.py", ["--scale", "nan"], "--scale: expected a number above 0, got nan"),
+                ("sensor_sim.py", ["--scale", "0"], "--scale: expected a number above 0, got 0.0"),
+                ("sensor_sim.py", ["--scale", "-0.5"], "--scale: expected a number above 0, got -0.5"),
+                ("sensor_sim.py", ["--scale", "inf"], "--scale: expected a number above 0, got inf"),
+                ("sensor_sim.py", ["--handovers", "0"], "--handovers: expected a whole number of at least 1, got 0"),
+                ("sensor_sim.py", ["--handovers", "-3"], "--handovers: expected a whole number of at least 1, got -3"),
                 ("robot_sim.py", ["--hand", "foo"], "--hand foo: expected keyboard or an address such as tcp://"),
                 ("plot_episode.py", [], "expected LOG EPISODE SOLVER"),
                 ("plot_episode.py", ["/nowhere", "0", "confirm"], "/nowhere: No such file or directory"),
@@ -70,6 +79,15 @@ class ScriptsTest(unittest.TestCase):
         done = script("gesture_mediapipe.py")
         self.assertEqual(2, done.returncode)
         self.assertIn("one of the arguments --camera --image --landmarks is required", done.stderr)
+
+
+class PunctualityTest(unittest.TestCase):
+    def test_no_reply_is_late(self):
+        self.assertEqual("none of 3 replies came after its deadline", punctuality([0.0, 0.0, 0.0]))
+
+    def test_the_others_are_on_time(self):
+        self.assertEqual("2 of 4 replies came after their deadline (the others count as 0 ms): p50 1.50 ms, p99 2.50 ms, "
+                         "largest 2.50 ms, n = 4", punctuality([2.5, 0.0, 1.5, 0.0]))
 
 
 class ViewTest(unittest.TestCase):

@@ -1,6 +1,5 @@
 package handover.bridge;
 
-import handover.belief.HandoverBelief;
 import handover.domain.Act;
 import handover.io.Replies;
 import handover.io.WireCode;
@@ -79,8 +78,13 @@ final class Decisions {
         }
         Planner.Job job = planner.job(answered, (long) (NANOS_PER_MS * (message.deadlineMs() == null ? defaultMs : message.deadlineMs())));
         pending = new Pending(client, envelope, job);
-        if (newest.get().belief().task().done()) {
-            answer(newest.get(), Decision.of(Act.WAIT).noted("the episode is over"), false);
+        start(job);
+    }
+
+    private void start(Planner.Job job) {
+        Snapshot now = newest.get();
+        if (now.over()) {
+            answer(now, Decision.of(Act.WAIT).noted("the episode is over"), false);
         } else if (!planner.start(job)) {
             fallBack("the solver does not return from earlier decisions");
         }
@@ -91,14 +95,16 @@ final class Decisions {
         if (pending == null || pending.job != plan.job()) {
             return;
         }
-        HandoverBelief now = newest.get().belief();
+        Snapshot now = newest.get();
         Decision decision = plan.decision();
         if (plan.failure() != null) {
             LOG.warn("the solver failed", plan.failure());
             fallBack("the solver failed: " + plan.failure());
+        } else if (now.over() || plan.at().over()) {
+            start(plan.job()); // again, if another episode has begun
         } else if (decision == null || decision.act() == null) {
             fallBack("the solver gave no decision");
-        } else if (now.task().done() || now.scene().model(decision.act()) == null) {
+        } else if (now.belief().scene().model(decision.act()) == null) {
             fallBack(decision.act() + " is not possible any more");
         } else if (decision.values().values().stream().anyMatch(v -> !Double.isFinite(v))) {
             fallBack("the solver finds an act worth what is no number");

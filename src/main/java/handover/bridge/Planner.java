@@ -89,12 +89,12 @@ final class Planner implements AutoCloseable {
             Snapshot at = newest.get();
             Decision decision = null;
             try {
-                boolean again = true;
+                boolean again = !at.over();
                 while (again) {
                     Attempt attempt = new Attempt(this, at);
                     decision = policy.decide(at.belief(), attempt, Streams.of(at.seed(), "planner", number));
                     Snapshot now = newest.get();
-                    again = !over() && attempt.worthAnother() && replan.due(at.belief(), now.belief());
+                    again = !now.over() && !over() && attempt.worthAnother() && replan.due(at.belief(), now.belief());
                     at = again ? now : at;
                 }
                 done.accept(new Plan(this, at, decision, null));
@@ -145,7 +145,7 @@ final class Planner implements AutoCloseable {
      * What came of a job.
      *
      * @param at what it was planned for
-     * @param decision null if it failed
+     * @param decision null if it failed, or if the task was done already, so that nothing was planned
      * @param failure why it failed, else null
      */
     record Plan(Job job, Snapshot at, Decision decision, Throwable failure) {}

@@ -14,6 +14,11 @@ import handover.belief.HandoverBelief;
  */
 public record Snapshot(long version, long episode, long seed, HandoverBelief belief, boolean running, int acts) {
 
+    /** Whether the task is done, so that there is nothing to decide. */
+    boolean over() {
+        return belief.task().done();
+    }
+
     /** The next version. */
     Snapshot with(HandoverBelief next) {
         return new Snapshot(version + 1, episode, seed, next, running, acts);

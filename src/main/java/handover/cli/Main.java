@@ -19,6 +19,8 @@ import java.util.List;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
 
@@ -101,8 +103,26 @@ public final class Main implements Runnable {
     private int refuse(CommandLine.ParameterException e) {
         String help = e.getCommandLine().getCommandSpec().qualifiedName() + " --help";
         List<String> meant = e instanceof CommandLine.UnmatchedArgumentException u ? u.getSuggestions() : List.of();
-        return complain(e, BAD_INPUT, e.getMessage() + (meant.isEmpty() ? "" : "; did you mean "
+        return complain(e, BAD_INPUT, problem(e) + (meant.isEmpty() ? "" : "; did you mean "
                 + String.join(" or ", meant) + "?") + " (see " + help + ")");
+    }
+
+    /** What picocli says, but of numbers without naming Java's types. */
+    private static String problem(CommandLine.ParameterException e) {
+        ArgSpec arg = e.getArgSpec();
+        if (arg == null || !(e.getCause() instanceof CommandLine.TypeConversionException)) {
+            return e.getMessage();
+        }
+        String got = e.getValue();
+        boolean digits = got.matches("[+-]?[0-9]+");
+        String expected = switch (arg.auxiliaryTypes()[0].getSimpleName()) {
+            case "int", "Integer" -> "a whole number" + (digits ? " from " + Integer.MIN_VALUE + " to " + Integer.MAX_VALUE : "");
+            case "long", "Long" -> "a whole number" + (digits ? " from " + Long.MIN_VALUE + " to " + Long.MAX_VALUE : "");
+            case "double", "Double" -> "a number";
+            default -> null;
+        };
+        String name = arg instanceof OptionSpec option ? option.longestName() : arg.paramLabel();
+        return expected == null ? e.getMessage() : name + ": expected " + expected + ", got " + (digits ? got : "\"" + got + "\"");
     }
 
     private int fail(Exception e) {

@@ -67,9 +67,7 @@ final class Plan implements Callable<Integer> {
     /** Help ends with the solvers that there are. */
     @Spec
     void describe(CommandSpec spec) {
-        String[] lines = Solvers.names().stream().map(n -> String.format("  %-12s%s", n, Solvers.description(n)))
-                .toArray(String[]::new);
-        spec.usageMessage().footer("%nSolvers:%n" + String.join("%n", lines));
+        SolverList.append(spec, Solvers.names(), Solvers::description);
     }
 
     @Override

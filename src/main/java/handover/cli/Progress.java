@@ -12,11 +12,11 @@ final class Progress {
 
     private final Console console;
     private final String what;
-    private final int total;
-    private final int before;
+    private final long total;
+    private final long before;
     private final long start;
     private double shown;
-    private int done;
+    private long done;
     private int width;
 
     /**
@@ -24,7 +24,7 @@ final class Progress {
      * @param done how much was done before the start
      * @param total how much there is to do
      */
-    Progress(Console console, String what, int done, int total) {
+    Progress(Console console, String what, long done, long total) {
         this.console = console;
         this.what = what;
         this.before = done;
@@ -39,7 +39,7 @@ final class Progress {
     }
 
     /** So many are done now. */
-    void at(int now) {
+    void at(long now) {
         done = now;
         double seconds = (console.nanoClock().getAsLong() - start) / 1e9;
         double pause = console.live() ? LIVE_SECONDS : shown == 0 ? FIRST_LINE_SECONDS : LINE_SECONDS;
@@ -58,8 +58,8 @@ final class Progress {
         }
     }
 
-    static String line(String what, int done, int total, double perSecond) {
-        int full = (int) ((long) BAR * done / total);
+    static String line(String what, long done, long total, double perSecond) {
+        int full = (int) (BAR * done / total);
         double left = (total - done) / perSecond;
         String time = !(left < Integer.MAX_VALUE) ? "unknown time" : left < PATIENT_SECONDS ? Math.round(left) + " s"
                 : Math.round(left / 60) + " min";

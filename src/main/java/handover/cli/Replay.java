@@ -65,7 +65,7 @@ final class Replay implements Callable<Integer> {
             if (log.torn()) {
                 console.err().println("handover: " + file + ": the last line is torn and was skipped");
             }
-            int all = log.header().episodes() * log.header().solvers().size();
+            long all = (long) log.header().episodes() * log.header().solvers().size();
             console.out().println(episodes + " episodes with " + steps + " steps agree"
                     + (episodes < all ? "; the run was to have " + all + " episodes" : ""));
         }

@@ -34,12 +34,12 @@ final class Run {
         return finished;
     }
 
-    int done() {
-        return finished.values().stream().mapToInt(List::size).sum();
+    long done() {
+        return finished.values().stream().mapToLong(List::size).sum();
     }
 
-    int total() {
-        return header.episodes() * header.solvers().size();
+    long total() {
+        return (long) header.episodes() * header.solvers().size();
     }
 
     /** Whether the next episode to be played is this one. */
@@ -95,6 +95,6 @@ final class Run {
     }
 
     private int blockEnd(int index) {
-        return Math.min(header.episodes(), (index / BLOCK + 1) * BLOCK);
+        return (int) Math.min(header.episodes(), (index / BLOCK + 1L) * BLOCK);
     }
 }

@@ -65,9 +65,7 @@ final class Solve implements Callable<Integer> {
     /** Help ends with the solvers that there are. */
     @Spec
     void describe(CommandSpec spec) {
-        String[] lines = TabularSolvers.names().stream().map(n -> String.format("  %-12s%s", n, TabularSolvers.description(n)))
-                .toArray(String[]::new);
-        spec.usageMessage().footer("%nSolvers:%n" + String.join("%n", lines));
+        SolverList.append(spec, TabularSolvers.names(), TabularSolvers::description);
     }
 
     @Override
@@ -84,7 +82,7 @@ final class Solve implements Callable<Integer> {
         TextTable table = new TextTable(LONGEST_NAME, List.of("solver", "return", "95% interval", "worth at least", "at most", "steps",
                 "offline s", "ms p50/p99", "first act"));
         long unforeseen = 0;
-        Progress progress = new Progress(console, "episodes", 0, episodes * players.size());
+        Progress progress = new Progress(console, "episodes", 0, (long) episodes * players.size());
         try {
             for (TabularSolver player : players) {
                 unforeseen += play(player, pomdp, steps, table, progress);

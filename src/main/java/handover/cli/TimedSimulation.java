@@ -54,7 +54,7 @@ final class TimedSimulation {
 
     void play(int threads) throws InterruptedException {
         HandoverDomain people = header.asModelled() ? domain : DomainFiles.domain(header.people());
-        Progress progress = new Progress(console, "episodes", 0, header.episodes() * solvers.size());
+        Progress progress = new Progress(console, "episodes", 0, (long) header.episodes() * solvers.size());
         try {
             for (Solver solver : solvers) {
                 Map<Agent, List<TimedMeasures>> lists = new LinkedHashMap<>();

@@ -48,16 +48,25 @@ public record SolverParameters(String spec, Map<String, String> values) {
 
     /** A probability. */
     public double probability(String key, double otherwise) {
+        return number(key, otherwise, 1, "a probability in [0, 1]");
+    }
+
+    /** A finite number of at least 0; {@code what} says of what, for the message. */
+    public double amount(String key, double otherwise, String what) {
+        return number(key, otherwise, Double.MAX_VALUE, what + ", at least 0");
+    }
+
+    private double number(String key, double otherwise, double most, String expected) {
         String text = values.getOrDefault(key, Double.toString(otherwise));
         try {
             double value = Double.parseDouble(text);
-            if (value >= 0 && value <= 1) {
+            if (value >= 0 && value <= most) {
                 return value;
             }
         } catch (NumberFormatException e) {
-            throw bad(key, "a probability in [0, 1]", text);
+            throw bad(key, expected, text);
         }
-        throw bad(key, "a probability in [0, 1]", text);
+        throw bad(key, expected, text);
     }
 
     /** One of some words, of which the first is the default. */

@@ -12,7 +12,7 @@ import java.util.random.RandomGenerator;
  * @param warm beliefs weighed offline; 0 for none
  * @param most beliefs weighed for a decision, at least 1
  */
-public record AnytimeTabular(double gap, int warm, int most) implements TabularSolver {
+record AnytimeTabular(double gap, int warm, int most) implements TabularSolver {
     @Override
     public String name() {
         return "anytime:gap=" + gap + ",warm=" + warm + ",most=" + most;

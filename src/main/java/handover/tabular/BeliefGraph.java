@@ -215,7 +215,7 @@ final class BeliefGraph {
         beliefs.predict(k, m, a, predicted);
         int to = groups * senses;
         for (int o = 0; o < senses && !clock.late(); o++) {
-            double p = m.condition(predicted, a, o, posterior);
+            double p = m.correct(predicted, a, o, posterior);
             weight[to + o] = p;
             child[to + o] = p > 0 ? node(posterior) : -1;
             clock.spend(2 * n);
@@ -320,7 +320,10 @@ final class BeliefGraph {
         return block[k] >= 0 ? actUpper[block[k] * acts + a] : beliefs.dot(k, learned.bounds().fib(), a * n);
     }
 
-    /** What can be used for other beliefs: the vectors that are best somewhere, and the nodes with a lowered upper bound. */
+    /**
+     * What can be used for other beliefs: the vectors of the model's own bound and those that are best somewhere, and the nodes with a
+     * lowered upper bound.
+     */
     Learned learned() {
         boolean[] used = new boolean[vectors.size()];
         for (int k = 0; k < beliefs.size(); k++) {
@@ -330,7 +333,7 @@ final class BeliefGraph {
             }
         }
         Alphas kept = learned.bounds().lower().copy();
-        for (int k = kept.size(); k < used.length; k++) {
+        for (int k = 0; k < used.length; k++) {
             if (used[k]) {
                 kept.add(vectors.values(), vectors.at(k), vectors.act(k));
             }

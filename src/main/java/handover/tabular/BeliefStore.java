@@ -122,10 +122,7 @@ final class BeliefStore {
     void predict(int k, TabularPomdp m, int a, double[] out) {
         Arrays.fill(out, 0);
         for (int i = begin[k]; i < begin[k + 1]; i++) {
-            int s = a * states + state[i];
-            for (int j = m.row[s]; j < m.row[s + 1]; j++) {
-                out[m.next[j]] += probability[i] * m.probability[j];
-            }
+            m.spread(a, state[i], probability[i], out);
         }
     }
 

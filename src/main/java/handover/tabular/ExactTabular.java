@@ -9,7 +9,7 @@ import java.util.random.RandomGenerator;
  *
  * @param horizon H, at least 1
  */
-public record ExactTabular(int horizon) implements TabularSolver {
+record ExactTabular(int horizon) implements TabularSolver {
     @Override
     public String name() {
         return "exact:H=" + horizon;

@@ -8,7 +8,7 @@ import java.util.random.RandomGenerator;
  *
  * @param fast whether by the fast informed bound
  */
-public record Informed(boolean fast) implements TabularSolver {
+record Informed(boolean fast) implements TabularSolver {
     @Override
     public String name() {
         return fast ? "fib" : "qmdp";

@@ -7,7 +7,7 @@ import java.util.Arrays;
  * Exact values of acts over a fixed number of acts, with nothing after them: all observations are weighed, equal beliefs only once.
  * What an act predicts is shared by its observations; the last act needs none. Used by one thread; what it allocates it uses again.
  */
-public final class LookAhead {
+final class LookAhead {
     private static final int CHECK = 64;
 
     private final TabularPomdp m;
@@ -21,7 +21,7 @@ public final class LookAhead {
     private int untilCheck;
     private boolean late;
 
-    public LookAhead(TabularPomdp m) {
+    LookAhead(TabularPomdp m) {
         this.m = m;
         this.beliefs = new BeliefStore(m.states().size());
     }
@@ -34,7 +34,7 @@ public final class LookAhead {
      * @param q receives the values; modified
      * @return false if the deadline passed first: then {@code q} is undefined
      */
-    public boolean values(double[] belief, int horizon, Deadline until, double[] q) {
+    boolean values(double[] belief, int horizon, Deadline until, double[] q) {
         beliefs.clear();
         deadline = until;
         untilCheck = CHECK;
@@ -59,7 +59,7 @@ public final class LookAhead {
     }
 
     /** Different beliefs that were met. */
-    public int nodes() {
+    int nodes() {
         return beliefs.size();
     }
 
@@ -94,7 +94,7 @@ public final class LookAhead {
         beliefs.predict(k, m, a, next);
         double future = 0;
         for (int o = 0; o < m.observations().size(); o++) {
-            double p = m.condition(next, a, o, after);
+            double p = m.correct(next, a, o, after);
             if (p > 0) {
                 future += p * value(beliefs.number(after), horizon - 1);
             }

@@ -11,7 +11,7 @@ import java.util.random.RandomGenerator;
  * @param gap between the bounds at which it stops, relative to the value
  * @param most beliefs weighed, at least 1
  */
-public record PointBased(double gap, int most) implements TabularSolver {
+record PointBased(double gap, int most) implements TabularSolver {
     /** What offline work found out. */
     record Found(Learned learned, double lower, double upper, int depth, int nodes) {}
 

@@ -3,7 +3,7 @@ package handover.tabular;
 import java.util.random.RandomGenerator;
 
 /** Any act, each as likely as the other. */
-public record RandomTabular() implements TabularSolver {
+record RandomTabular() implements TabularSolver {
     @Override
     public String name() {
         return "random";

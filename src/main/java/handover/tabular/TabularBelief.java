@@ -7,18 +7,19 @@ package handover.tabular;
  * @param probabilities of the states
  * @param unforeseen observations of probability 0 so far
  */
-public record TabularBelief(double[] probabilities, int unforeseen) {
+record TabularBelief(double[] probabilities, int unforeseen) {
 
     /** The belief at the start. */
-    public static TabularBelief start(TabularPomdp pomdp) {
+    static TabularBelief start(TabularPomdp pomdp) {
         return new TabularBelief(pomdp.start(), 0);
     }
 
     /** After an act and what was observed then. */
-    public TabularBelief after(TabularPomdp pomdp, int act, int observation) {
-        double[] b = new double[probabilities.length];
-        pomdp.predict(probabilities, act, b);
-        boolean foreseen = pomdp.correct(b, act, observation) > 0;
-        return new TabularBelief(b, foreseen ? unforeseen : unforeseen + 1);
+    TabularBelief after(TabularPomdp pomdp, int act, int observation) {
+        double[] predicted = new double[probabilities.length];
+        double[] corrected = new double[probabilities.length];
+        pomdp.predict(probabilities, act, predicted);
+        boolean foreseen = pomdp.correct(predicted, act, observation, corrected) > 0;
+        return foreseen ? new TabularBelief(corrected, unforeseen) : new TabularBelief(predicted, unforeseen + 1);
     }
 }

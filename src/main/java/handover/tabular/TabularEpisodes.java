@@ -65,7 +65,7 @@ public final class TabularEpisodes {
             int act = policy.decide(belief.probabilities(), deadlines.get(), chance).act();
             nanos[t++] = nanoClock.getAsLong() - before;
             int next = next(state, act, nature.nextDouble());
-            int seen = observe(next, act, nature.nextDouble());
+            int seen = m.observed(act, next, nature.nextDouble());
             earned += discount * m.reward(act, state, next, seen);
             discount *= m.discount();
             belief = belief.after(m, act, seen);
@@ -81,17 +81,5 @@ public final class TabularEpisodes {
             k++;
         }
         return m.next[k];
-    }
-
-    /** Never one of probability 0. */
-    private int observe(int next, int act, double u) {
-        int last = -1;
-        double left = u;
-        for (int o = 0; o < m.observations().size() && left >= 0; o++) {
-            double p = m.observation(act, next, o);
-            last = p > 0 ? o : last;
-            left -= p;
-        }
-        return last;
     }
 }

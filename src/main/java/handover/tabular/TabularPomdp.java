@@ -189,41 +189,27 @@ public final class TabularPomdp {
         Arrays.fill(out, 0);
         for (int s = 0; s < belief.length; s++) {
             if (belief[s] > 0) {
-                for (int k = row[a * belief.length + s]; k < row[a * belief.length + s + 1]; k++) {
-                    out[next[k]] += belief[s] * probability[k];
-                }
+                spread(a, s, belief[s], out);
             }
+        }
+    }
+
+    /** Adds p T(s' | s, a) for each s' to {@code out}; modified. */
+    void spread(int a, int s, double p, double[] out) {
+        int at = a * states.size() + s;
+        for (int k = row[at]; k < row[at + 1]; k++) {
+            out[next[k]] += p * probability[k];
         }
     }
 
     /**
      * Bayes' rule for an observation.
      *
-     * @param belief after {@link #predict}; modified unless the observation cannot be
+     * @param predicted as by {@link #predict}; not modified
+     * @param out another array; modified, of no meaning if the observation cannot be
      * @return the probability of the observation
      */
-    public double correct(double[] belief, int a, int o) {
-        int at = (a * observations.size() + o) * belief.length;
-        double p = 0;
-        for (int s = 0; s < belief.length; s++) {
-            p += belief[s] * sensed[at + s];
-        }
-        if (p > 0) {
-            for (int s = 0; s < belief.length; s++) {
-                belief[s] *= sensed[at + s] / p;
-            }
-        }
-        return p;
-    }
-
-    /**
-     * Bayes' rule into another array.
-     *
-     * @param predicted not modified
-     * @param out modified; undefined if the observation cannot be
-     * @return the probability of the observation
-     */
-    double condition(double[] predicted, int a, int o, double[] out) {
+    public double correct(double[] predicted, int a, int o, double[] out) {
         int at = (a * observations.size() + o) * predicted.length;
         double p = 0;
         for (int s = 0; s < predicted.length; s++) {
@@ -234,6 +220,18 @@ public final class TabularPomdp {
             out[s] /= p;
         }
         return p;
+    }
+
+    /** The observation at {@code level} (in [0, 1)) of the cumulative sums of O(. | a, to); never one of probability 0. */
+    int observed(int a, int to, double level) {
+        int last = -1;
+        double left = level;
+        for (int o = 0; o < observations.size() && left >= 0; o++) {
+            double p = observation(a, to, o);
+            last = p > 0 ? o : last;
+            left -= p;
+        }
+        return last;
     }
 
     /** sum_s belief(s) values(a, s), for an array by act and state. */

@@ -12,7 +12,7 @@ import java.util.random.RandomGenerator;
  * @param horizon H, at least 1
  * @param width C, at least 1
  */
-public record TabularPoss(int horizon, int width) implements TabularSolver {
+record TabularPoss(int horizon, int width) implements TabularSolver {
     @Override
     public String name() {
         return "poss:H=" + horizon + ",C=" + width;
@@ -25,7 +25,7 @@ public record TabularPoss(int horizon, int width) implements TabularSolver {
     }
 
     private TabularDecision decide(TabularPomdp pomdp, Alphas leaves, double[] belief, Deadline deadline, long seed) {
-        TabularSearch mdp = new TabularSearch(pomdp, false, leaves);
+        TabularSearch mdp = new TabularSearch(pomdp, leaves);
         SparseSampling<TabularSearch.Node> sampling = new SparseSampling<>(mdp, width, true);
         TabularSearch.Node root = mdp.belief(belief);
         double[] best = new double[pomdp.acts().size()];

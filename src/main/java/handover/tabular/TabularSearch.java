@@ -7,33 +7,27 @@ import java.util.random.RandomGenerator;
 /** The belief MDP of a tabular POMDP, for sparse sampling. Used by one thread at a time. */
 public final class TabularSearch implements BeliefMdp<TabularSearch.Node> {
     private final TabularPomdp m;
-    private final boolean exact;
     private final Alphas leaves;
 
     /** A belief, or what is believed between an act and its observation. */
     public static final class Node {
         private final double[] b;
+        /** Of what is believed before its observation. */
         private int act;
-        private boolean observed;
 
         private Node(int states) {
             b = new double[states];
         }
     }
 
-    /**
-     * With leaves that are worth 0.
-     *
-     * @param exact whether all observations are weighed, or sampled
-     */
-    public TabularSearch(TabularPomdp m, boolean exact) {
-        this(m, exact, new Alphas(m.states().size()));
+    /** With leaves that are worth 0. */
+    public TabularSearch(TabularPomdp m) {
+        this(m, new Alphas(m.states().size()));
     }
 
     /** @param leaves lower bounds on what a belief is worth; none for 0 */
-    TabularSearch(TabularPomdp m, boolean exact, Alphas leaves) {
+    TabularSearch(TabularPomdp m, Alphas leaves) {
         this.m = m;
-        this.exact = exact;
         this.leaves = leaves;
     }
 
@@ -62,42 +56,31 @@ public final class TabularSearch implements BeliefMdp<TabularSearch.Node> {
     @Override
     public double start(Node node, int act, Node next) {
         next.act = act;
-        next.observed = false;
         m.predict(node.b, act, next.b);
         return TabularPomdp.dot(node.b, m.reward, act * node.b.length);
     }
 
     @Override
     public int outcomes(Node predicted) {
-        return exact ? m.observations().size() : 1;
+        return 1;
     }
 
     @Override
     public double outcome(Node predicted, int k, Node next) {
         next.act = predicted.act;
-        next.observed = exact;
         System.arraycopy(predicted.b, 0, next.b, 0, next.b.length);
-        return exact ? m.correct(next.b, predicted.act, k) : 1;
+        return 1;
     }
 
     @Override
     public boolean sampled(Node outcome) {
-        return !outcome.observed;
+        return true;
     }
 
     @Override
     public void sample(Node outcome, double stratum, RandomGenerator random, Node next) {
         int s = Simplex.quantile(outcome.b, outcome.b.length, stratum);
-        double u = random.nextDouble();
-        int last = m.observations().size() - 1;
-        int o = 0;
-        while (o < last && (u -= m.observation(outcome.act, s, o)) >= 0) {
-            o++;
-        }
-        next.act = outcome.act;
-        next.observed = true;
-        System.arraycopy(outcome.b, 0, next.b, 0, next.b.length);
-        m.correct(next.b, outcome.act, o);
+        m.correct(outcome.b, outcome.act, m.observed(outcome.act, s, random.nextDouble()), next.b);
     }
 
     @Override

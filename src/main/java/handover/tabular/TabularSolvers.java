@@ -15,10 +15,10 @@ public final class TabularSolvers {
     private static final List<Entry> ALL = List.of(
             new Entry("anytime", "bounded search at each decision, after warm=100000 beliefs offline (none: 0); stops at a relative"
                     + " gap=0.001 or at most=200000 beliefs", List.of("gap", "warm", "most"),
-                    p -> new AnytimeTabular(p.probability("gap", 1e-3), p.values().getOrDefault("warm", "").equals("0") ? 0
+                    p -> new AnytimeTabular(gap(p, 1e-3), p.values().getOrDefault("warm", "").equals("0") ? 0
                             : p.count("warm", 100_000, MOST), p.count("most", 200_000, MOST))),
             new Entry("point-based", "the same search offline only, from the start, until a relative gap=0.01 or most=5000000 beliefs",
-                    List.of("gap", "most"), p -> new PointBased(p.probability("gap", 1e-2), p.count("most", 5_000_000, MOST))),
+                    List.of("gap", "most"), p -> new PointBased(gap(p, 1e-2), p.count("most", 5_000_000, MOST))),
             new Entry("exact", "looks H=2 acts ahead, weighing all observations", List.of("H"),
                     p -> new ExactTabular(p.count("H", 2, 100))),
             new Entry("poss", "looks H=3 acts ahead with C=10 samples", List.of("H", "C"),
@@ -30,6 +30,10 @@ public final class TabularSolvers {
     private record Entry(String name, String description, List<String> keys, Function<SolverParameters, TabularSolver> make) {}
 
     private TabularSolvers() {}
+
+    private static double gap(SolverParameters p, double otherwise) {
+        return p.amount("gap", otherwise, "the gap between the bounds at which to stop, as a share of the value");
+    }
 
     /** The known names, in the order in which help shows them. */
     public static List<String> names() {

@@ -197,6 +197,36 @@ class DecisionsTest {
         return reply.get("type").asText() + " " + reply.get("re").asText();
     }
 
+    /** The object is taken while the robot thinks; the solver is not asked what to do then. */
+    @Test
+    void whoWaitsWhenTheTaskIsDoneIsTold() throws InterruptedException {
+        CountDownLatch planning = new CountDownLatch(1);
+        AtomicInteger done = new AtomicInteger();
+        Policy patient = (belief, deadline, random) -> {
+            done.addAndGet(belief.task().done() ? 1 : 0);
+            if (belief.probabilities()[0] > 0.8) {
+                planning.countDown();
+                while (!deadline.passed()) {
+                    Thread.onSpinWait();
+                }
+            }
+            return Decision.of(ASK);
+        };
+        try (RunningBridge bridge = bridge(patient)) {
+            bridge.ask("{'v':1,'type':'begin','prior':{'blue_cylinder':0.9,'red_ball':0.1}}");
+            ZMQ.Socket robot = bridge.client(SocketType.DEALER, "command");
+            robot.sendMore(new byte[0]);
+            robot.send("{\"v\":1,\"type\":\"decide\",\"id\":\"a\",\"deadline_ms\":60000}".getBytes(StandardCharsets.UTF_8));
+            planning.await();
+            bridge.ask("{'v':1,'type':'acted','act':'PICK','objects':['blue_cylinder'],'status':'completed','pick':'accepted'}");
+            robot.recv();
+            JsonNode decision = RunningBridge.json(robot.recv());
+            assertEquals("WAIT the episode is over", decision.get("act").asText() + " " + decision.get("note").asText());
+            assertFalse(decision.get("fallback").asBoolean());
+            assertEquals(0, done.get());
+        }
+    }
+
     /** The first plan is for a belief that then moves; the plan that is answered must be for what it moved to. */
     @Test
     void plansAgainWhenTheBeliefMoved() throws InterruptedException {

@@ -15,6 +15,14 @@ class PythonTest {
     Path folder;
 
     @Test
+    void theScriptsKnowTheTopics() throws Exception {
+        Python.assumeZmq();
+        try (Python python = Python.program(folder, "import client; print(*client.TOPICS)")) {
+            assertEquals(String.join(" ", Topics.ALL) + "\n", python.ended(0));
+        }
+    }
+
+    @Test
     void theScriptsOwnTestsPass() throws Exception {
         Python.assumeZmq();
         Path out = folder.resolve("out");

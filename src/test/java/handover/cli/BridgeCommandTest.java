@@ -42,7 +42,7 @@ class BridgeCommandTest {
             bridge table-line-6 --replan 2                            | --replan: expected a total variation distance in [0, 1], got 2.0
             bridge table-line-6 --max-age 0                           | --max-age: expected seconds in (0, 3600], got 0.0
             bridge table-line-6 --queue 0                             | --queue: expected a whole number of at least 1, got 0
-            bridge table-line-6 --deadline-ms x                       | Invalid value for option '--deadline-ms'
+            bridge table-line-6 --deadline-ms x                       | --deadline-ms: expected a whole number, got "x"
             bridge table-line-6 --subscribe tcp://127.0.0.1:5800      | --subscribe: expected an adapter
             bridge table-line-6 --resume nolog                        | nolog: there is no such file
             bridge table-line-6 --log pom.xml                         | pom.xml: there is such a file already

@@ -42,6 +42,13 @@ class ReplayTest {
         assertTrue(o.out().matches("20 episodes with \\d+ steps agree\n"), o.out());
     }
 
+    @Test
+    void aLongerRunIsCounted() throws IOException {
+        Files.writeString(log, Files.readString(log).replaceFirst("\"episodes\":10,", "\"episodes\":2000000000,"));
+        Output o = Output.of("replay", log.toString());
+        assertTrue(o.out().matches("20 episodes with \\d+ steps agree; the run was to have 4000000000 episodes\n"), o.out() + o.err());
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"belief", "human_belief"})
     void aChangedDigitIsFound(String which) throws IOException {

@@ -3,6 +3,10 @@ package handover.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import handover.solver.Solvers;
+import handover.tabular.TabularSolvers;
+import java.util.List;
+import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -14,7 +18,15 @@ class UsageTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
             simulat | Unmatched argument at index 0: 'simulat'; did you mean simulate
-            simulate --episodes x | Invalid value for option '--episodes': 'x' is not an int
+            simulate --episodes x | --episodes: expected a whole number, got "x"
+            simulate --episodes 1e3 | --episodes: expected a whole number, got "1e3"
+            simulate --episodes 2.5 | --episodes: expected a whole number, got "2.5"
+            simulate --episodes 99999999999 | --episodes: expected a whole number from -2147483648 to 2147483647, got 99999999999
+            simulate --seed x | --seed: expected a whole number, got "x"
+            simulate --seed 99999999999999999999 | --seed: expected a whole number from -9223372036854775808 to 9223372036854775807, got 99999999999999999999
+            analyze nested --objects 3,four | --objects: expected a whole number, got "four"
+            bridge --max-age 2s | --max-age: expected a number, got "2s"
+            simulate --timed --replan much | --replan: expected a number, got "much"
             simulate --episodes 0 --out - | --episodes: expected a whole number of at least 1, got 0
             simulate --threads 0 --out - | --threads: expected a whole number of at least 1, got 0
             simulate --threads 1000000 --out - | --threads: expected a whole number of at most 1024, got 1000000
@@ -70,5 +82,20 @@ class UsageTest {
     @Test
     void helpListsTheSolvers() {
         assertTrue(Output.of("plan", "--help").out().contains("  poss        looks H=3 acts ahead with C=10 samples"));
+    }
+
+    /** Each line begins with a name, or where the descriptions do. */
+    @Test
+    void descriptionsOfSolversAreIndented() {
+        assertSolvers(Output.of("plan", "--help").out(), Solvers.names(), Solvers::description);
+        assertSolvers(Output.of("solve", "--help").out(), TabularSolvers.names(), TabularSolvers::description);
+    }
+
+    private static void assertSolvers(String help, List<String> names, UnaryOperator<String> description) {
+        String list = help.substring(help.indexOf("Solvers:\n") + "Solvers:\n".length());
+        assertTrue(list.lines().count() > names.size(), "some description needs more than a line: " + list);
+        assertTrue(list.lines().allMatch(l -> l.matches(" {2}[a-z-]+ +\\S.*| {14}\\S.*")), list);
+        String unwrapped = list.replaceAll("\n {14}", " ");
+        names.forEach(n -> assertTrue(unwrapped.contains(String.format("  %-12s%s\n", n, description.apply(n))), unwrapped));
     }
 }

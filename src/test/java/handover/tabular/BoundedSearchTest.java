@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.LongRange;
+import org.junit.jupiter.api.Test;
 
 /** Bounds against the value by brute force over a finite horizon and what can come after it. */
 class BoundedSearchTest {
@@ -93,6 +94,23 @@ class BoundedSearchTest {
         BoundedSearch search = new BoundedSearch(m, learned);
         search.search(b, new BoundedSearch.Order(0, false, 200, seed), stopsAfter(50));
         assertTrue(search.lower() <= value + tail && search.upper() >= value - tail);
+    }
+
+    /** Also by a search that began with what an earlier one learnt, among which not all blind policies need be. */
+    @Test
+    void whatIsLearntTwiceIsNotForgotten() {
+        int searched = 0;
+        for (long seed = 0; seed < 300; seed++) {
+            TabularPomdp m = RandomPomdps.of(seed, 0.9);
+            BoundedSearch search = new BoundedSearch(m, PointBased.learn(m, 0.1, 20, seed).learned());
+            search.search(m.start(), new BoundedSearch.Order(1e-6, false, 20, seed), Deadline.NONE);
+            if (search.depth() > 0) {
+                searched++;
+                double learnt = search.learned().vectors().value(m.start());
+                assertTrue(learnt >= search.lower() - 1e-9, "seed " + seed + ": " + learnt + " of " + search.lower());
+            }
+        }
+        assertTrue(searched > 50, "only " + searched + " had something left to search");
     }
 
     @Property(tries = 100)

@@ -66,7 +66,10 @@ class TabularSolversTest {
     @CsvSource(delimiter = '|', textBlock = """
             sarsop | expected one of anytime, point-based, exact, poss, qmdp, fib, random
             exact:H=0 | H: expected a whole number from 1 to 100, got "0"
-            anytime:gap=-1 | gap: expected a probability in [0, 1], got "-1"
+            anytime:gap=-1 | gap: expected the gap between the bounds at which to stop, as a share of the value, at least 0, got "-1"
+            point-based:gap=NaN | gap: expected the gap between the bounds at which to stop, as a share of the value, at least 0, got "NaN"
+            point-based:gap=Infinity | gap: expected the gap between the bounds at which to stop, as a share of the value, at least 0, got "Infinity"
+            anytime:gap=small | gap: expected the gap between the bounds at which to stop, as a share of the value, at least 0, got "small"
             qmdp:H=1 | qmdp has no parameters, got "H=1"
             """)
     void whatCannotBeMeantIsSaid(String spec, String problem) {
