@@ -5,6 +5,7 @@ An act takes as long as the domain says (times --scale). What a reach comes to i
 socket of their own (see sensor_sim.py), or at the keyboard with --hand keyboard. Exit code 1 if nothing was handed over.
 """
 import json
+import math
 import time
 from typing import Any, Callable, Dict
 
@@ -23,8 +24,10 @@ def main() -> int:
     parser.add_argument("--seed", type=int, metavar="N", help="for the planner (default: the bridge's own)")
     parser.add_argument("--scale", type=float, default=1.0, metavar="S", help="seconds are this much longer (default: 1)")
     given = parser.parse_args()
-    if not given.scale >= 0:
+    if not 0 <= given.scale < math.inf:
         raise client.BadInput(f"--scale: expected a number of at least 0, got {given.scale}")
+    if given.acts < 1:
+        raise client.BadInput(f"--acts: expected a whole number of at least 1, got {given.acts}")
     offer = at_keyboard if given.hand == "keyboard" else to_person(given.hand)
     with client.connect(given, "robot") as bridge:
         robot = Robot(bridge, offer, given.scale)

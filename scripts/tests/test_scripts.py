@@ -39,6 +39,8 @@ class ScriptsTest(unittest.TestCase):
                 ("gesture_mediapipe.py", ["--landmarks", "/nowhere", "--fov", "200"], "--fov: expected degrees"),
                 ("gesture_mediapipe.py", ["--landmarks", sys.executable, "--dry-run"], ":1: expected a picture's landmarks"),
                 ("robot_sim.py", ["--scale", "-1"], "--scale: expected a number of at least 0, got -1.0"),
+                ("robot_sim.py", ["--scale", "inf"], "--scale: expected a number of at least 0, got inf"),
+                ("robot_sim.py", ["--acts", "0"], "--acts: expected a whole number of at least 1, got 0"),
                 ("record.py", ["--bridge", DEAD, "--topic", "act", "--topic", "nope"],
                  "--topic: expected one of belief, decision, act, error, heartbeat, scene, episode, got nope"),
                 ("record.py", ["--bridge", DEAD, "--topic", ""], "heartbeat, scene, episode, got "),

@@ -69,7 +69,7 @@ final class BenchBurlap implements BenchPart {
     public String run(BenchRun run) throws IOException {
         HandoverDomain on = DomainFiles.load(domain);
         MarkdownTable table = new MarkdownTable("tree", "decisions", "BURLAP ms", "POSS ms", "POSS, leaves 0, ms", "BURLAP / POSS", "smallest", "largest");
-        Progress progress = new Progress(run.console(), "decisions of BURLAP", 0, trees.size() * decisions);
+        Progress progress = new Progress(run.console(), "decisions of BURLAP", 0, (long) trees.size() * decisions);
         for (String text : trees) {
             Tree tree = Tree.parse(text);
             List<HandoverBelief> beliefs = BenchBeliefs.of(on, decisions, run.seed());

@@ -48,7 +48,7 @@ final class BenchReturn implements BenchPart {
     public String run(BenchRun run) throws IOException {
         List<Contender> contenders = Contender.parse("--return-solver", solvers);
         MarkdownTable table = new MarkdownTable("domain", "solver", "return", "95%", "first less this", "95%", "right %", "median ms", "p99 ms");
-        Progress progress = new Progress(run.console(), "episodes", 0, domains.size() * contenders.size() * episodes);
+        Progress progress = new Progress(run.console(), "episodes", 0, (long) domains.size() * contenders.size() * episodes);
         for (String name : domains) {
             List<List<Episode>> played = play(name, contenders, run, progress);
             run.report().add(name(), rows(name, contenders, played));

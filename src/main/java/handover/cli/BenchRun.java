@@ -21,6 +21,6 @@ record BenchRun(Console console, BenchReport report, LongSupplier clock, double 
 
     /** For so many times {@link #decisions} rounds. */
     Progress progress(String what, int times) {
-        return new Progress(console, what, 0, times * decisions);
+        return new Progress(console, what, 0, (long) times * decisions);
     }
 }

@@ -139,6 +139,14 @@ public final class HandoverSearch implements BeliefSearch<HandoverSearch.Node> {
         return effect.reward() + next.match + pick;
     }
 
+    /** The same where the match reward is known already and what is wanted does not change. */
+    double start(Node node, ActEffect effect, double match, Node next) {
+        double pick = begin(node, effect, next);
+        next.h = node.after(effect.model());
+        next.match = match;
+        return effect.reward() + match + pick;
+    }
+
     /** Predicts all but h'; gives the expected reward of a pick that completes. */
     double begin(Node node, ActEffect effect, Node next) {
         next.n = node.n;

@@ -37,36 +37,42 @@ final class LastLevel {
     double best(HandoverSearch.Node node, HandoverSearch.Node next) {
         SearchBelief b = node.b;
         double later = domain.discount() * boundWithoutPick(node);
-        int likeliest = picks[b.likeliest()];
-        double best = boundOfPick(node, likeliest) > bounds.match(b) + later ? value(node, likeliest, next) : Double.NEGATIVE_INFINITY;
+        ActEffect likeliest = node.task.effect(picks[b.likeliest()]);
+        double best = boundOfPick(node, likeliest) > bounds.match(b) + later
+                ? value(node, likeliest, match(node, likeliest), next) : Double.NEGATIVE_INFINITY;
         for (int a : node.task.byReward()) {
             ActEffect effect = node.task.effect(a);
             if (effect.reward() + bounds.match(b) + later <= best) {
                 break;
             }
-            double match = domain.matchReward(b.p, node.after(effect.model()), n);
+            double match = match(node, effect);
             if (effect.reward() + match + later > best) {
-                best = Math.max(best, value(node, a, next));
+                best = Math.max(best, value(node, effect, match, next));
             }
         }
         for (int a : picksInOrder) {
-            double bound = boundOfPick(node, a);
+            ActEffect effect = node.task.effect(a);
+            double bound = boundOfPick(node, effect);
             if (bound > best) {
-                best = Math.max(best, valueOfPick(node, a, bound, best, next));
+                best = Math.max(best, valueOfPick(node, effect, bound, best, next));
             }
         }
         return best;
     }
 
     /** The value of an act, or less than {@code best} if its match reward shows that it is not better. */
-    private double valueOfPick(HandoverSearch.Node node, int act, double bound, double best, HandoverSearch.Node next) {
-        double match = domain.matchReward(node.b.p, node.after(node.task.effect(act).model()), n);
+    private double valueOfPick(HandoverSearch.Node node, ActEffect effect, double bound, double best, HandoverSearch.Node next) {
+        double match = match(node, effect);
         boolean hopeless = bound - bounds.match(node.b) + match + ROUNDING < best;
-        return hopeless ? Double.NEGATIVE_INFINITY : value(node, act, next);
+        return hopeless ? Double.NEGATIVE_INFINITY : value(node, effect, match, next);
     }
 
-    private double value(HandoverSearch.Node node, int act, HandoverSearch.Node next) {
-        return search.ending(search.start(node, act, next), true, next);
+    private double match(HandoverSearch.Node node, ActEffect effect) {
+        return domain.matchReward(node.b.p, node.after(effect.model()), n);
+    }
+
+    private double value(HandoverSearch.Node node, ActEffect effect, double match, HandoverSearch.Node next) {
+        return search.ending(search.start(node, effect, match, next), true, next);
     }
 
     /** On a leaf after an act that is no pick. */
@@ -79,8 +85,7 @@ final class LastLevel {
     }
 
     /** On a pick with leaves after it, whether it completes or not. */
-    private double boundOfPick(HandoverSearch.Node node, int pick) {
-        ActEffect effect = node.task.effect(pick);
+    private double boundOfPick(HandoverSearch.Node node, ActEffect effect) {
         double outcome = bounds.outcome(node.b.p[effect.model().target()]);
         double now = effect.reward() + bounds.match(node.b);
         if (effect.completes() && effect.stalled() == null) {
