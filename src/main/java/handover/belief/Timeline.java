@@ -6,8 +6,8 @@ import java.util.function.UnaryOperator;
 
 /**
  * A tracker that also takes what was sensed before the last act but arrived after it: it is weighed in the step in which it was
- * sensed, and what followed is computed again. Remembers what happened since the first act of the last {@code memory} seconds,
- * at most {@value #MOST} events. Immutable, thread safe.
+ * sensed, after what had arrived there before, and what followed is computed again. Remembers what happened since the first act
+ * of the last {@code memory} seconds. Immutable, thread safe.
  */
 public final class Timeline {
     private static final int MOST = 1000;
@@ -21,6 +21,8 @@ public final class Timeline {
     private final double lastAct;
     /** What was sensed before this belongs to no step that is known, in seconds. */
     private final double first;
+    /** How many may be remembered. */
+    private final int most;
 
     /** The event is older than what can still be weighed. */
     public static final class StaleException extends RuntimeException {
@@ -41,17 +43,26 @@ public final class Timeline {
         }
     }
 
-    private Timeline(BeliefTracker now, Event last, int events, double lastAct, double first) {
+    private Timeline(BeliefTracker now, Event last, int events, double lastAct, double first, int most) {
         this.now = now;
         this.last = last;
         this.events = events;
         this.lastAct = lastAct;
         this.first = first;
+        this.most = most;
     }
 
-    /** The beginning of an episode at the time {@code t}; nothing that was sensed before belongs to it. */
+    /**
+     * The beginning of an episode at the time {@code t}, of any length: nothing that was sensed before belongs to it, and at most
+     * {@value #MOST} events are remembered.
+     */
     public static Timeline of(BeliefTracker start, double t) {
-        return new Timeline(start, null, 0, t, t);
+        return new Timeline(start, null, 0, t, t, MOST);
+    }
+
+    /** The beginning of a short episode, with room for all of its events. */
+    public static Timeline of(BeliefTracker start) {
+        return new Timeline(start, null, 0, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Integer.MAX_VALUE);
     }
 
     /** The tracker after all of it. */
@@ -62,7 +73,7 @@ public final class Timeline {
     /**
      * The robot did something at the time {@code t}, or the table changed.
      *
-     * @param memory seconds of which the acts are remembered
+     * @param memory seconds of which the acts are remembered; may be infinite
      */
     public Timeline acted(double t, UnaryOperator<BeliefTracker> change, double memory) {
         double at = t < lastAct ? lastAct : t;
@@ -82,21 +93,21 @@ public final class Timeline {
         } else if (t < lastAct) {
             return inserted(t, change);
         } else if (!(lastAct >= arrival - memory)) {
-            return new Timeline(change.apply(now), null, 0, lastAct, first);
+            return new Timeline(change.apply(now), null, 0, lastAct, first, most);
         }
         return append(new Event(t, false, change, now, null), change.apply(now), lastAct);
     }
 
     /** Forgets when things happened, because the clock was set. */
     public Timeline timeless() {
-        return new Timeline(now, null, 0, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY);
+        return new Timeline(now, null, 0, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, most);
     }
 
     private Timeline append(Event event, BeliefTracker next, double act) {
-        if (events < MOST && (last != null || event.act)) {
-            return new Timeline(next, event.after(last), events + 1, act, first);
+        if (events < most && (last != null || event.act)) {
+            return new Timeline(next, event.after(last), events + 1, act, first, most);
         }
-        return event.act ? new Timeline(next, event, 1, act, lastAct) : new Timeline(next, null, 0, act, lastAct);
+        return event.act ? new Timeline(next, event, 1, act, lastAct, most) : new Timeline(next, null, 0, act, lastAct, most);
     }
 
     private Timeline inserted(double t, UnaryOperator<BeliefTracker> change) {
@@ -118,7 +129,7 @@ public final class Timeline {
             event = new Event(e.t, e.act, e.change, tracker, event);
             tracker = e.change.apply(tracker);
         }
-        return new Timeline(tracker, event, next.previous == null ? events : events + 1, lastAct, first);
+        return new Timeline(tracker, event, next.previous == null ? events : events + 1, lastAct, first, most);
     }
 
     /** Without what is older than the first act since {@code t}. */
@@ -133,12 +144,12 @@ public final class Timeline {
             kept.pop();
         }
         if (acts == 0 || kept.size() == events) {
-            return acts == 0 ? new Timeline(now, null, 0, lastAct, first) : this;
+            return acts == 0 ? new Timeline(now, null, 0, lastAct, first, most) : this;
         }
         Event event = null;
         for (Event e : kept) {
             event = e.after(event);
         }
-        return new Timeline(now, event, kept.size(), lastAct, first);
+        return new Timeline(now, event, kept.size(), lastAct, first, most);
     }
 }

@@ -2,13 +2,13 @@ package handover.cli;
 
 import handover.domain.HandoverDomain;
 import handover.io.DomainFiles;
+import handover.io.NamedOutput;
 import handover.io.Nearest;
 import handover.io.PolicyFile;
 import handover.solver.Solver;
 import handover.solver.Solvers;
+import java.io.BufferedWriter;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -64,25 +64,31 @@ final class AnalyzeNearest implements Callable<Integer> {
         PolicyFile file = PolicyFile.read(policy, on.spec());
         Iterable<Integer> chosen = sizes(file.table().size());
         Solver teacher = Solvers.parse(file.run().teacher());
-        LearningCurve curve = new LearningCurve(on, file.table(), teacher, neighbours, radius, episodes, seed, console.nanoClock());
-        console.out().printf(Locale.ROOT, "%s, teacher %s: return %s, agrees with itself at %.1f%% of %d beliefs; %d paired episodes%n%n",
-                on.spec().name(), teacher.name(), LearningCurve.show(curve.teacherReturn()), 100 * curve.teacherAgreement(),
-                curve.beliefs(), episodes);
-        TextTable table = new TextTable(10, List.of("beliefs", "return", "less than teacher", "% of it", "agrees %", "with fallback",
-                "less than teacher", "% of it", "fallback %", "lookup us p50", "p99"));
-        try (PrintWriter out = new PrintWriter(Files.newBufferedWriter(csv))) {
-            out.println(LearningCurve.Point.CSV_HEADER);
-            for (int size : chosen) {
-                LearningCurve.Point point = curve.at(size);
-                out.println(point.csv());
-                table.add(point.cells());
-            }
+        try (BufferedWriter out = NamedOutput.text(csv)) {
+            out.write(LearningCurve.Point.CSV_HEADER + "\n");
+            out.flush(); // whether it can be written shows before the long work
+            LearningCurve curve = new LearningCurve(on, file.table(), teacher, neighbours, radius, episodes, seed, console.nanoClock());
+            console.out().printf(Locale.ROOT, "%s, teacher %s: return %s, agrees with itself at %.1f%% of %d beliefs; %d paired episodes%n%n",
+                    on.spec().name(), teacher.name(), LearningCurve.show(curve.teacherReturn()), 100 * curve.teacherAgreement(),
+                    curve.beliefs(), episodes);
+            console.out().print(points(curve, chosen, out));
         }
-        console.out().print(table.text());
         console.out().print("\nreturn: nothing but the table, however far the nearest belief (where its part is empty the teacher decides);"
                 + "\nwith fallback: the teacher decides where no stored belief is within " + radius + "; fallback %: how often, at the"
                 + "\nbeliefs of the teacher's episodes. +-: half of a 95% interval. The numbers are in " + csv + ".\n");
         return Main.FINE;
+    }
+
+    /** Writes the points of the curve; gives them as a table. */
+    private static String points(LearningCurve curve, Iterable<Integer> sizes, BufferedWriter out) throws IOException, InterruptedException {
+        TextTable table = new TextTable(10, List.of("beliefs", "return", "less than teacher", "% of it", "agrees %", "with fallback",
+                "less than teacher", "% of it", "fallback %", "lookup us p50", "p99"));
+        for (int size : sizes) {
+            LearningCurve.Point point = curve.at(size);
+            out.write(point.csv() + "\n");
+            table.add(point.cells());
+        }
+        return table.text();
     }
 
     private Iterable<Integer> sizes(int all) {

@@ -7,6 +7,7 @@ import handover.domain.PickType;
 import handover.domain.Rewards;
 import handover.domain.WaitType;
 import handover.io.DomainFiles;
+import handover.io.NamedOutput;
 import handover.math.MatchScore;
 import handover.math.Simplex;
 import handover.simulation.BestExpectation;
@@ -18,9 +19,8 @@ import handover.simulation.Summary;
 import handover.solver.Deadline;
 import handover.solver.Solver;
 import handover.solver.Solvers;
+import java.io.BufferedWriter;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -99,8 +99,8 @@ final class AnalyzeReward implements Callable<Integer> {
     /** Writes the grid; gives a table of how far the best h is from b and from a vertex. */
     private String bestExpectations() throws IOException {
         TextTable table = new TextTable(40, List.of("score", "mean |h* - b|", "mean largest h*"));
-        try (PrintWriter out = new PrintWriter(Files.newBufferedWriter(csv))) {
-            out.println("score," + header("b") + "," + header("h") + ",value,distance");
+        try (BufferedWriter out = NamedOutput.text(csv)) {
+            out.write("score," + header("b") + "," + header("h") + ",value,distance\n");
             for (MatchScore score : MatchScore.values()) {
                 List<double[]> beliefs = score == MatchScore.NONE ? List.of() : simplex(objects, grid);
                 double distance = 0;
@@ -108,7 +108,7 @@ final class AnalyzeReward implements Callable<Integer> {
                 for (double[] b : beliefs) {
                     double[] h = BestExpectation.of(score, b);
                     double off = Simplex.l1(b, h);
-                    out.println(name(score) + "," + row(b) + "," + row(h) + "," + show("%.6f", score.of(b, h, b.length)) + "," + show("%.6f", off));
+                    out.write(name(score) + "," + row(b) + "," + row(h) + "," + show("%.6f", score.of(b, h, b.length)) + "," + show("%.6f", off) + "\n");
                     distance += off / beliefs.size();
                     largest += h[Simplex.argmax(h, h.length)] / beliefs.size();
                 }

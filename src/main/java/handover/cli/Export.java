@@ -2,6 +2,7 @@ package handover.cli;
 
 import handover.domain.HandoverDomain;
 import handover.io.DomainFiles;
+import handover.io.NamedOutput;
 import handover.io.PomdpFiles;
 import handover.tabular.FlatHandover;
 import handover.tabular.TabularPomdp;
@@ -58,7 +59,7 @@ final class Export implements Callable<Integer> {
             PomdpFiles.write(flat.pomdp(), flat.notes(), writer);
             writer.flush();
         } else {
-            try (Writer writer = Files.newBufferedWriter(out)) {
+            try (Writer writer = NamedOutput.text(out)) {
                 PomdpFiles.write(flat.pomdp(), flat.notes(), writer);
             }
             TabularPomdp m = flat.pomdp();

@@ -18,7 +18,7 @@ record LogFile(Path file, Console console) {
 
     /** Throws {@link UsageException} if the file is there and is not an episode log, which would be lost. */
     void checkReplaceable() throws IOException {
-        if (Files.exists(file) && !(Files.isRegularFile(file) && EpisodeLogReader.looksLikeLog(file))) {
+        if (Files.exists(file) && !EpisodeLogReader.looksLikeLog(file)) {
             throw new UsageException(file + ": is not an episode log and will not be overwritten; choose another --out");
         }
     }
@@ -72,6 +72,9 @@ record LogFile(Path file, Console console) {
         } else if (log.episodes() != now.episodes()) {
             return log.episodes() + " episodes";
         }
-        return log.maxSteps() != now.maxSteps() ? "at most " + log.maxSteps() + " steps" : "another deadline";
+        if (log.maxSteps() != now.maxSteps()) {
+            return "at most " + log.maxSteps() + " steps";
+        }
+        return log.deadlineMs() != now.deadlineMs() ? "another deadline" : "timed";
     }
 }

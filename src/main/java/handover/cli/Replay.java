@@ -6,6 +6,8 @@ import handover.domain.TableObject;
 import handover.io.EpisodeLogReader;
 import handover.io.LoggedEpisode;
 import handover.io.SessionLogReader;
+import handover.simulation.TimedReplay;
+import handover.simulation.TimedStep;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -55,8 +57,8 @@ final class Replay implements Callable<Integer> {
             for (LoggedEpisode e = log.next(); e != null; e = log.next()) {
                 String difference = difference(e, start, log);
                 if (difference != null) {
-                    console.err().println("handover: " + file + ": episode " + e.index() + " of " + e.solver() + ": "
-                            + difference);
+                    console.err().println("handover: " + file + ": episode " + e.index() + " of " + e.solver()
+                            + (e.agent() == null ? "" : ", " + e.agent()) + ": " + difference);
                     return Main.DIFFERENT;
                 }
                 episodes++;
@@ -65,7 +67,7 @@ final class Replay implements Callable<Integer> {
             if (log.torn()) {
                 console.err().println("handover: " + file + ": the last line is torn and was skipped");
             }
-            long all = (long) log.header().episodes() * log.header().solvers().size();
+            long all = log.header().total();
             console.out().println(episodes + " episodes with " + steps + " steps agree"
                     + (episodes < all ? "; the run was to have " + all + " episodes" : ""));
         }
@@ -75,10 +77,11 @@ final class Replay implements Callable<Integer> {
     /** Where an episode differs from what its acts and observations lead to; null if nowhere. */
     private static String difference(LoggedEpisode episode, HandoverBelief start, EpisodeLogReader log) {
         HandoverBelief belief = start;
+        TimedReplay timed = new TimedReplay(start);
         for (int k = 0; k < episode.steps().size(); k++) {
             LoggedEpisode.Step step = episode.steps().get(k);
             try {
-                belief = belief.after(step.act()).given(step.observation());
+                belief = episode.times().isEmpty() ? belief.after(step.act()).given(step.observation()) : after(k, episode, timed);
             } catch (IllegalArgumentException e) {
                 throw log.wrong("steps[" + k + "]: " + e.getMessage());
             }
@@ -88,6 +91,14 @@ final class Replay implements Callable<Integer> {
             }
         }
         return null;
+    }
+
+    /** The belief at the end of a timed step: when the next one starts, or when the last act is over. */
+    private static HandoverBelief after(int k, LoggedEpisode episode, TimedReplay timed) {
+        LoggedEpisode.Step step = episode.steps().get(k);
+        TimedStep time = episode.times().get(k);
+        timed.started(step.act(), step.observation().signal(), time);
+        return timed.settled(k + 1 < episode.times().size() ? episode.times().get(k + 1).start() : time.end());
     }
 
     private static String difference(LoggedEpisode.Step step, HandoverBelief belief) {

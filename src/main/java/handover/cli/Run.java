@@ -39,7 +39,7 @@ final class Run {
     }
 
     long total() {
-        return (long) header.episodes() * header.solvers().size();
+        return header.total();
     }
 
     /** Whether the next episode to be played is this one. */

@@ -48,7 +48,7 @@ final class Simulate implements Callable<Integer> {
     private Path human;
 
     @Option(names = "--out", paramLabel = "FILE", defaultValue = "episodes.jsonl",
-            description = "Log, - for none (default: ${DEFAULT-VALUE}).")
+            description = "Log, - for none (default: ${DEFAULT-VALUE}; with --timed: none).")
     private String out;
 
     @Option(names = "--resume", description = "Go on with the log of the same run.")
@@ -84,8 +84,8 @@ final class Simulate implements Callable<Integer> {
         DomainSpec spec = DomainFiles.read(domain);
         DomainSpec people = human == null ? spec : DomainFiles.readHuman(spec, human);
         RunHeader header = new RunHeader(spec, people, seed, players.stream().map(Solver::name).toList(), episodes, maxSteps,
-                deadlineMs);
-        if (time.timed()) {
+                deadlineMs, time.timed() ? time.header() : null);
+        if (header.time() != null) {
             return playTimed(header, players);
         }
         Run run = new Run(header);
@@ -103,12 +103,14 @@ final class Simulate implements Callable<Integer> {
         return Main.FINE;
     }
 
-    private int playTimed(RunHeader header, List<Solver> players) throws InterruptedException {
-        time.refuseLog(out, NO_LOG);
+    private int playTimed(RunHeader header, List<Solver> players) throws IOException, InterruptedException {
+        out = time.logged() ? out : NO_LOG;
         TimedSimulation simulation = new TimedSimulation(header, players, time.agents(), time.timing(), console);
-        console.out().print(introduction(header) + time.introduction() + "\n");
-        simulation.play(threads);
-        console.out().print(simulation.report());
+        try (EpisodeLogWriter log = out.equals(NO_LOG) ? null : new LogFile(Path.of(out), console).create(header)) {
+            console.out().print(introduction(header) + time.introduction() + "\n");
+            simulation.play(threads, log);
+        }
+        console.out().print(simulation.report() + whereTheLogIs());
         return Main.FINE;
     }
 
@@ -168,8 +170,11 @@ final class Simulate implements Callable<Integer> {
         if (players.stream().anyMatch(s -> !mark(s).isEmpty())) {
             console.out().print("ceiling     is told what the person wants; floor acts at random\n");
         }
-        console.out().print(out.equals(NO_LOG) ? "" : "\nEvery step is in " + out + "; handover replay " + out
-                + " checks its beliefs.\n");
+        console.out().print(whereTheLogIs());
+    }
+
+    private String whereTheLogIs() {
+        return out.equals(NO_LOG) ? "" : "\nEvery step is in " + out + "; handover replay " + out + " checks its beliefs.\n";
     }
 
     private static String mark(Solver solver) {

@@ -1,5 +1,6 @@
 package handover.cli;
 
+import handover.io.RunTime;
 import handover.simulation.Agent;
 import handover.simulation.Delay;
 import handover.simulation.PlanningLatency;
@@ -22,7 +23,7 @@ final class TimedOptions {
     private static final List<String> NEVER_TIMED = List.of("--resume", "--deadline-ms");
 
     @Option(names = "--timed", description = {"On a virtual clock: acts take time, what people say and show comes when it comes, and "
-            + "thinking costs time. Not logged."})
+            + "thinking costs time. Logged only with --out."})
     private boolean timed;
 
     @Option(names = "--planning-latency", paramLabel = "MODEL", defaultValue = "2s", description = "With --timed: how long a decision "
@@ -66,11 +67,14 @@ final class TimedOptions {
         return command.commandLine().getParseResult().hasMatchedOption(option);
     }
 
-    /** Throws {@link UsageException} if a log was asked for. */
-    void refuseLog(String out, String none) {
-        if (given("--out") && !out.equals(none)) {
-            throw new UsageException("--out: episodes with --timed are not logged, because a log has no times; expected -, got " + out);
-        }
+    /** Whether a log was asked for. */
+    boolean logged() {
+        return given("--out");
+    }
+
+    /** What the first line of a log says of time. */
+    RunTime header() {
+        return new RunTime(agents().stream().map(TimedSimulation::name).toList(), latency, reaction, replan, patience);
     }
 
     List<Agent> agents() {

@@ -2,6 +2,7 @@ package handover.cli;
 
 import handover.domain.HandoverDomain;
 import handover.io.DomainFiles;
+import handover.io.EpisodeLogWriter;
 import handover.io.RunHeader;
 import handover.simulation.Agent;
 import handover.simulation.Estimate;
@@ -36,38 +37,40 @@ final class TimedSimulation {
             """;
 
     private final RunHeader header;
-    private final List<Solver> solvers;
     private final List<Agent> agents;
-    private final Timing timing;
     private final Console console;
     private final HandoverDomain domain;
+    private final Map<String, TimedRunner> runners = new LinkedHashMap<>();
     private final Map<String, Map<Agent, List<TimedMeasures>>> played = new LinkedHashMap<>();
 
+    /** Solves, and so may find that a solver does not suit the domain: to be called before a log is replaced. */
     TimedSimulation(RunHeader header, List<Solver> solvers, List<Agent> agents, Timing timing, Console console) {
         this.header = header;
-        this.solvers = solvers;
         this.agents = agents;
-        this.timing = timing;
         this.console = console;
         this.domain = DomainFiles.domain(header.domain());
+        HandoverDomain people = header.asModelled() ? domain : DomainFiles.domain(header.people());
+        solvers.forEach(s -> runners.put(s.name(), new TimedRunner(domain, people, s, header.seed(), header.maxSteps(), timing)));
     }
 
-    void play(int threads) throws InterruptedException {
-        HandoverDomain people = header.asModelled() ? domain : DomainFiles.domain(header.people());
-        Progress progress = new Progress(console, "episodes", 0, (long) header.episodes() * solvers.size());
+    /** @param log receives each episode as soon as all before it are there; null for none */
+    void play(int threads, EpisodeLogWriter log) throws InterruptedException {
+        Progress progress = new Progress(console, "episodes", 0, (long) header.episodes() * runners.size());
         try {
-            for (Solver solver : solvers) {
+            for (Map.Entry<String, TimedRunner> runner : runners.entrySet()) {
                 Map<Agent, List<TimedMeasures>> lists = new LinkedHashMap<>();
                 agents.forEach(a -> lists.put(a, new ArrayList<>()));
-                TimedRunner runner = new TimedRunner(domain, people, solver, header.seed(), header.maxSteps(), timing);
-                OrderedUnits.until(0, header.episodes(), threads, k -> agents.stream().map(a -> runner.play(k, a).measures()).toList(), pair -> {
+                OrderedUnits.until(0, header.episodes(), threads, k -> agents.stream().map(a -> runner.getValue().play(k, a)).toList(), pair -> {
                     for (int a = 0; a < agents.size(); a++) {
-                        lists.get(agents.get(a)).add(pair.get(a));
+                        if (log != null) {
+                            log.write(pair.get(a), name(agents.get(a)));
+                        }
+                        lists.get(agents.get(a)).add(pair.get(a).measures());
                     }
                     progress.step();
                     return false;
                 });
-                played.put(solver.name(), lists);
+                played.put(runner.getKey(), lists);
             }
         } finally {
             progress.end();
@@ -118,7 +121,7 @@ final class TimedSimulation {
         return TimedSummary.difference(lists.get(Agent.CONCURRENT), lists.get(Agent.SEQUENTIAL), of);
     }
 
-    private static String name(Agent agent) {
+    static String name(Agent agent) {
         return agent.name().toLowerCase(Locale.ROOT);
     }
 

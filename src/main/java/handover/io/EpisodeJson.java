@@ -9,6 +9,8 @@ import handover.domain.Vocabulary;
 import handover.simulation.Episode;
 import handover.simulation.Measures;
 import handover.simulation.Step;
+import handover.simulation.TimedEpisode;
+import handover.simulation.TimedStep;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -21,6 +23,15 @@ final class EpisodeJson {
         ArrayNode steps = tree.putArray("steps");
         e.steps().forEach(s -> steps.add(tree(s)));
         tree.set("measures", tree(e.measures()));
+        return tree;
+    }
+
+    /** With times, and the agent that decided. */
+    static ObjectNode tree(TimedEpisode e, String agent) {
+        ObjectNode tree = tree(e.episode()).put("agent", agent);
+        for (int k = 0; k < e.times().size(); k++) {
+            ((ObjectNode) tree.get("steps").get(k)).set("time", TimeJson.tree(e.times().get(k)));
+        }
         return tree;
     }
 
@@ -41,15 +52,24 @@ final class EpisodeJson {
                 .put("log_score", m.logScore()).put("brier_score", m.brierScore()).put("distance", m.distance());
     }
 
-    /** @throws FieldException for what is not an episode */
-    static LoggedEpisode episode(JsonNode tree, Vocabulary vocabulary) {
+    /**
+     * @param timed whether it has times
+     * @throws FieldException for what is not an episode
+     */
+    static LoggedEpisode episode(JsonNode tree, Vocabulary vocabulary, boolean timed) {
         Fields f = new Fields(tree, "");
         List<LoggedEpisode.Step> steps = new ArrayList<>();
+        List<TimedStep> times = new ArrayList<>();
         for (Fields s : f.objects("steps")) {
-            steps.add(step(s, vocabulary));
+            LoggedEpisode.Step step = step(s, vocabulary);
+            if (timed) {
+                double before = times.isEmpty() ? 0 : times.get(times.size() - 1).end();
+                times.add(TimeJson.step(s.object("time"), step.observation(), before));
+            }
+            steps.add(step);
         }
-        return new LoggedEpisode((int) f.whole("episode", 0, Integer.MAX_VALUE), f.text("solver"), f.text("wanted"),
-                List.copyOf(steps), measures(f.object("measures")));
+        return new LoggedEpisode((int) f.whole("episode", 0, Integer.MAX_VALUE), f.text("solver"), timed ? f.text("agent") : null,
+                f.text("wanted"), List.copyOf(steps), List.copyOf(times), measures(f.object("measures")));
     }
 
     private static LoggedEpisode.Step step(Fields f, Vocabulary vocabulary) {

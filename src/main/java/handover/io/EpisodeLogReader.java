@@ -4,46 +4,32 @@ import com.fasterxml.jackson.databind.JsonNode;
 import handover.domain.HandoverDomain;
 import java.io.Closeable;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 
 /**
  * Reads an episode log, one episode at a time. A last line without line end was torn when the run was stopped and is left
  * out; anything else that is wrong is an {@link EpisodeLogException} with the line. Used by one thread.
  */
 public final class EpisodeLogReader implements Closeable {
-    private static final String BEGINNING = "{\"format\":\"" + RunHeader.FORMAT + "\"";
-
     private final LogLines lines;
     private final RunHeader header;
     private final HandoverDomain domain;
 
     private EpisodeLogReader(LogLines lines) throws IOException {
         this.lines = lines;
-        this.header = header(lines.first("an episode log"));
+        this.header = lines.header("an episode log", RunHeader::of);
         this.domain = DomainFiles.domain(header.domain());
     }
 
     /** Opens a log and reads its header. Throws {@link EpisodeLogException} if it is not one. */
     public static EpisodeLogReader open(Path file) throws IOException {
-        LogLines lines = new LogLines(file);
-        try {
-            return new EpisodeLogReader(lines);
-        } catch (RuntimeException e) {
-            lines.close();
-            throw e;
-        }
+        return LogLines.open(file, EpisodeLogReader::new);
     }
 
     /** Whether a file begins as an episode log does, even if it was torn within the first line; an empty file does. */
     public static boolean looksLikeLog(Path file) throws IOException {
-        byte[] expected = BEGINNING.getBytes(StandardCharsets.UTF_8);
-        try (var in = Files.newInputStream(file)) {
-            byte[] got = in.readNBytes(expected.length);
-            return Arrays.equals(got, Arrays.copyOf(expected, got.length));
-        }
+        return LogLines.begins(file, RunHeader.FORMAT, true);
     }
 
     /** Whether a log was torn within its first line, so that there is nothing in it yet. */
@@ -67,7 +53,7 @@ public final class EpisodeLogReader implements Closeable {
     public LoggedEpisode next() throws IOException {
         JsonNode tree = lines.next();
         try {
-            return tree == null ? null : EpisodeJson.episode(tree, domain.vocabulary());
+            return tree == null ? null : EpisodeJson.episode(tree, domain.vocabulary(), header.time() != null);
         } catch (FieldException e) {
             throw lines.wrong(e);
         }
@@ -86,16 +72,6 @@ public final class EpisodeLogReader implements Closeable {
     /** How many bytes there are up to the end of the line that was read last. */
     public long end() {
         return lines.end();
-    }
-
-    private RunHeader header(JsonNode first) {
-        try {
-            return RunHeader.of(first, lines.place());
-        } catch (FieldException e) {
-            throw lines.wrong(e);
-        } catch (DomainFileException e) {
-            throw lines.wrong(e);
-        }
     }
 
     @Override

@@ -1,13 +1,14 @@
 package handover.io;
 
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import handover.simulation.Episode;
+import handover.simulation.TimedEpisode;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
@@ -24,7 +25,7 @@ public final class EpisodeLogWriter implements Closeable {
 
     /** A new log with this header, in place of the file if there is one. */
     public static EpisodeLogWriter create(Path file, RunHeader header) throws IOException {
-        EpisodeLogWriter writer = new EpisodeLogWriter(Files.newOutputStream(file));
+        EpisodeLogWriter writer = new EpisodeLogWriter(NamedOutput.open(file));
         writer.write(Json.line(header.json()));
         return writer;
     }
@@ -34,13 +35,22 @@ public final class EpisodeLogWriter implements Closeable {
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
             channel.truncate(length);
         }
-        return new EpisodeLogWriter(Files.newOutputStream(file, StandardOpenOption.APPEND));
+        return new EpisodeLogWriter(NamedOutput.open(file, StandardOpenOption.APPEND));
     }
 
     /** Adds an episode. Throws {@link UncheckedIOException} if that fails. */
     public void write(Episode episode) {
+        add(EpisodeJson.tree(episode));
+    }
+
+    /** Adds a timed episode of an agent. Throws {@link UncheckedIOException} if that fails. */
+    public void write(TimedEpisode episode, String agent) {
+        add(EpisodeJson.tree(episode, agent));
+    }
+
+    private void add(ObjectNode tree) {
         try {
-            write(Json.line(EpisodeJson.tree(episode)));
+            write(Json.line(tree));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

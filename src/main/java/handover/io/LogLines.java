@@ -3,9 +3,12 @@ package handover.io;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.Closeable;
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Arrays;
 
 /**
  * The lines of a log as JSON trees. A last line without line end was torn when the writer was stopped and is left out. Used by
@@ -20,8 +23,41 @@ final class LogLines implements Closeable {
     private long end;
     private boolean torn;
 
-    /** Opens a log. Throws {@link EpisodeLogException} if there is no such file. */
-    LogLines(Path file) throws IOException {
+    /** What reads a log from its first line on. */
+    @FunctionalInterface
+    interface Reader<R> {
+        R of(LogLines lines) throws IOException;
+    }
+
+    /** Opens a log, and closes it again if its first line is not that of one. Throws {@link EpisodeLogException} then. */
+    static <R> R open(Path file, Reader<R> reader) throws IOException {
+        LogLines lines = new LogLines(file);
+        try {
+            return reader.of(lines);
+        } catch (IOException | RuntimeException e) {
+            lines.close();
+            throw e;
+        }
+    }
+
+    /**
+     * Whether a file begins as the logs of a format do.
+     *
+     * @param torn whether it may end before that can be told
+     */
+    static boolean begins(Path file, String format, boolean torn) throws IOException {
+        byte[] expected = ("{\"format\":\"" + format + "\"").getBytes(StandardCharsets.UTF_8);
+        if (!Files.isRegularFile(file)) {
+            return false;
+        }
+        try (InputStream in = Files.newInputStream(file)) {
+            byte[] got = in.readNBytes(expected.length);
+            return Arrays.equals(got, torn ? Arrays.copyOf(expected, got.length) : expected);
+        }
+    }
+
+    /** Throws {@link EpisodeLogException} if there is no such file. */
+    private LogLines(Path file) throws IOException {
         this.file = file.toString();
         if (Files.isDirectory(file)) {
             throw new EpisodeLogException(this.file, 0, "is a directory, not a file", null);
@@ -33,8 +69,25 @@ final class LogLines implements Closeable {
         }
     }
 
-    /** The first line. Throws {@link EpisodeLogException} if there is none. */
-    JsonNode first(String what) throws IOException {
+    /** What makes a header of the first line, in a place of which messages may speak. */
+    @FunctionalInterface
+    interface Header<H> {
+        H of(JsonNode tree, String place);
+    }
+
+    /** The header. Throws {@link EpisodeLogException} if the first line is none. */
+    <H> H header(String what, Header<H> of) throws IOException {
+        JsonNode tree = first(what);
+        try {
+            return of.of(tree, place());
+        } catch (FieldException e) {
+            throw wrong(e);
+        } catch (DomainFileException e) {
+            throw wrong(e);
+        }
+    }
+
+    private JsonNode first(String what) throws IOException {
         JsonNode tree = next();
         if (tree == null) {
             throw new EpisodeLogException(file, 0, "expected " + what + ", got "

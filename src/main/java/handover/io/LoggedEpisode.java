@@ -3,6 +3,7 @@ package handover.io;
 import handover.domain.Act;
 import handover.domain.Observation;
 import handover.simulation.Measures;
+import handover.simulation.TimedStep;
 import java.util.List;
 
 /**
@@ -10,11 +11,14 @@ import java.util.List;
  *
  * @param index in its run
  * @param solver that decided
+ * @param agent how its time was spent; null if the run is not timed
  * @param wanted name of the object that the human wanted first
  * @param steps in order
+ * @param times one for each step; empty if the run is not timed
  * @param measures what it was worth
  */
-public record LoggedEpisode(int index, String solver, String wanted, List<Step> steps, Measures measures) {
+public record LoggedEpisode(int index, String solver, String agent, String wanted, List<Step> steps, List<TimedStep> times,
+        Measures measures) {
 
     /**
      * One step.

@@ -15,9 +15,10 @@ import java.util.List;
  * @param episodes for each solver
  * @param maxSteps at which an episode is cut off
  * @param deadlineMs milliseconds for each decision, 0 for no deadline
+ * @param time what is assumed of time; null if the run is not timed
  */
 public record RunHeader(DomainSpec domain, DomainSpec people, long seed, List<String> solvers, int episodes, int maxSteps,
-        int deadlineMs) {
+        int deadlineMs, RunTime time) {
     static final String FORMAT = "handover-episodes";
     static final int VERSION = 1;
 
@@ -30,12 +31,20 @@ public record RunHeader(DomainSpec domain, DomainSpec people, long seed, List<St
         return people.equals(domain);
     }
 
+    /** How many episodes there are in all. */
+    public long total() {
+        return (long) episodes * solvers.size() * (time == null ? 1 : time.agents().size());
+    }
+
     ObjectNode json() {
         ObjectNode tree = Json.object().put("format", FORMAT).put("version", VERSION)
                 .put("domain_hash", DomainFiles.hash(domain)).put("seed", seed);
         tree.set("solvers", Json.list(solvers));
         tree.put("episodes", episodes).put("max_steps", maxSteps);
         tree.put("deadline_ms", deadlineMs == 0 ? null : deadlineMs);
+        if (time != null) {
+            tree.set("timed", time.json());
+        }
         tree.set("domain", DomainFiles.toJson(domain));
         if (!asModelled()) {
             tree.set("people", DomainFiles.toJson(people));
@@ -60,6 +69,7 @@ public record RunHeader(DomainSpec domain, DomainSpec people, long seed, List<St
         }
         return new RunHeader(domain, people, f.whole("seed", Long.MIN_VALUE, Long.MAX_VALUE), f.texts("solvers"),
                 (int) f.whole("episodes", 1, Integer.MAX_VALUE), (int) f.whole("max_steps", 1, Integer.MAX_VALUE),
-                f.has("deadline_ms") ? (int) f.whole("deadline_ms", 1, Integer.MAX_VALUE) : 0);
+                f.has("deadline_ms") ? (int) f.whole("deadline_ms", 1, Integer.MAX_VALUE) : 0,
+                f.has("timed") ? RunTime.of(f.object("timed")) : null);
     }
 }

@@ -4,18 +4,13 @@ import com.fasterxml.jackson.databind.JsonNode;
 import handover.domain.HandoverDomain;
 import java.io.Closeable;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 
 /**
  * Reads the log of a bridge's session. A last line without line end was torn when the bridge was killed and is left out;
  * anything else that is wrong is an {@link EpisodeLogException} with the line. Used by one thread.
  */
 public final class SessionLogReader implements Closeable {
-    private static final String BEGINNING = "{\"format\":\"" + SessionHeader.FORMAT + "\"";
-
     private final LogLines lines;
     private final SessionHeader header;
     private final HandoverDomain domain;
@@ -34,37 +29,18 @@ public final class SessionLogReader implements Closeable {
 
     private SessionLogReader(LogLines lines) throws IOException {
         this.lines = lines;
-        JsonNode first = lines.first("the log of a session");
-        try {
-            this.header = SessionHeader.of(first, lines.place());
-        } catch (FieldException e) {
-            throw lines.wrong(e);
-        } catch (DomainFileException e) {
-            throw lines.wrong(e);
-        }
+        this.header = lines.header("the log of a session", SessionHeader::of);
         this.domain = DomainFiles.domain(header.domain());
     }
 
     /** Opens a log and reads its header. Throws {@link EpisodeLogException} if it is not one. */
     public static SessionLogReader open(Path file) throws IOException {
-        LogLines lines = new LogLines(file);
-        try {
-            return new SessionLogReader(lines);
-        } catch (RuntimeException e) {
-            lines.close();
-            throw e;
-        }
+        return LogLines.open(file, SessionLogReader::new);
     }
 
     /** Whether a file begins as the log of a session does. */
     public static boolean looksLikeLog(Path file) throws IOException {
-        byte[] expected = BEGINNING.getBytes(StandardCharsets.UTF_8);
-        if (!Files.isRegularFile(file)) {
-            return false;
-        }
-        try (var in = Files.newInputStream(file)) {
-            return Arrays.equals(in.readNBytes(expected.length), expected);
-        }
+        return LogLines.begins(file, SessionHeader.FORMAT, false);
     }
 
     public SessionHeader header() {

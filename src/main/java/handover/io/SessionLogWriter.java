@@ -9,7 +9,6 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
@@ -26,7 +25,7 @@ public final class SessionLogWriter implements Closeable {
 
     /** A new log with this header. Throws if there is such a file already, which may be needed to go on after a crash. */
     public static SessionLogWriter create(Path file, SessionHeader header) throws IOException {
-        SessionLogWriter writer = new SessionLogWriter(Files.newOutputStream(file, StandardOpenOption.CREATE_NEW));
+        SessionLogWriter writer = new SessionLogWriter(NamedOutput.open(file, StandardOpenOption.CREATE_NEW));
         writer.write(header.json());
         return writer;
     }
@@ -36,7 +35,7 @@ public final class SessionLogWriter implements Closeable {
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
             channel.truncate(length);
         }
-        return new SessionLogWriter(Files.newOutputStream(file, StandardOpenOption.APPEND));
+        return new SessionLogWriter(NamedOutput.open(file, StandardOpenOption.APPEND));
     }
 
     /**

@@ -14,5 +14,11 @@
  *
  * <p>2026-11-22, new acts. A variant may add acts, so an unknown verb is no error; but it must give all of its fields,
  * because a new act has no defaults and because a mistyped verb then does not pass for one.
+ *
+ * <p>2026-11-22, timed episodes are in the log of episodes: {@code timed} in the first line, the agent, and {@code time} in each step, with
+ * when what the human said and showed was said and arrived. What it was is where it is in other logs, in the step that it reacts to. So
+ * whoever reads acts, beliefs and measures need not know of time; only {@code replay} must, because the belief after a step is that of the
+ * moment at which the next act started. Rejected: a second format, or a list of events, from which every reader would have to find the
+ * steps again.
  */
 package handover.io;

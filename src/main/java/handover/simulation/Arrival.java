@@ -1,6 +1,6 @@
 package handover.simulation;
 
-import handover.belief.HandoverBelief;
+import handover.belief.BeliefTracker;
 import handover.domain.Gesture;
 import handover.domain.Speech;
 
@@ -12,7 +12,7 @@ import handover.domain.Speech;
  */
 public record Arrival(double at, double arrives, Speech speech, Gesture gesture) {
 
-    HandoverBelief correct(HandoverBelief belief) {
+    BeliefTracker correct(BeliefTracker belief) {
         return speech == null ? belief.saw(gesture) : belief.heard(speech);
     }
 }

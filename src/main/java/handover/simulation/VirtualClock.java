@@ -48,4 +48,16 @@ final class VirtualClock {
         }
         return true;
     }
+
+    /**
+     * Lets all happen that is planned up to a time.
+     *
+     * @param time seconds since the start
+     */
+    void advanceTo(double time) {
+        while (!events.isEmpty() && events.peek().time <= time) {
+            advance();
+        }
+        now = Math.max(now, time);
+    }
 }

@@ -18,6 +18,11 @@
  * they are about; those that were said in time but are reported late go where they belong, and what followed is filtered again. So
  * a quick robot hears answers to questions that it has left behind: that is a cost of not waiting, and it is in the figures.
  *
+ * <p>2026-11-22, late reports are the business of {@link handover.belief.Timeline}, for simulated people as for real ones. Within a step
+ * it weighs what is sensed in the order in which it arrives, as MODEL 4.4 and the protocol say; the first answer of a step closes the
+ * reference. Rejected: the order in which it was said, which the timed simulation used to sort by. It gives the same beliefs as long as
+ * all sensors take equally long, as they do here, but a robot that is served while it listens cannot wait for what was said earlier.
+ *
  * <p>2026-11-22, the concurrent agent plans as if the rest of the step stayed silent: for the belief with which the next act would start
  * if nothing more came. It plans anew at once if the belief moves by more than a threshold, also after the end of the act
  * ({@code patience}). That may cost a planning, but acting on what it knows to be out of date costs more: over 4,000 episodes with

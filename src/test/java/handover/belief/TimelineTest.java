@@ -1,5 +1,6 @@
 package handover.belief;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -98,6 +99,41 @@ class TimelineTest {
         assertThrows(Timeline.StaleException.class, () -> asked.sensed(10.0, 12.1, yes, MEMORY));
         assertEquals(asked.now().heard(Speech.of("yes", DOMAIN.vocabulary())), asked.timeless().sensed(11.9, 12.1, yes, MEMORY)
                 .now(), "once the clock was set, all that comes is about now");
+    }
+
+    /** MODEL 4.4: what is sensed is filtered as it comes, and the first answer of a step closes the reference. */
+    @Test
+    void withinAStepTheOrderIsThatOfArrival() {
+        UnaryOperator<BeliefTracker> yes = t -> t.heard(Speech.of("yes", DOMAIN.vocabulary()));
+        UnaryOperator<BeliefTracker> no = t -> t.heard(Speech.of("no", DOMAIN.vocabulary()));
+        UnaryOperator<BeliefTracker> ask = t -> t.started(Act.of("ASK", "metal_bowl"));
+        UnaryOperator<BeliefTracker> wait = t -> t.started(Act.WAIT);
+        Timeline asked = Timeline.of(START).acted(10, ask, MEMORY);
+        Timeline inTime = asked.sensed(10.6, 10.7, no, MEMORY).sensed(10.5, 10.9, yes, MEMORY).acted(11, wait, MEMORY);
+        Timeline late = asked.acted(11, wait, MEMORY).sensed(10.6, 11.1, no, MEMORY).sensed(10.5, 11.2, yes, MEMORY);
+        HandoverBelief denied = wait.apply(no.apply(ask.apply(START))).now();
+        assertArrayEquals(denied.probabilities(), inTime.now().now().probabilities(), 1e-12);
+        assertEquals(inTime.now(), late.now());
+        Timeline other = asked.acted(11, wait, MEMORY).sensed(10.5, 11.1, yes, MEMORY).sensed(10.6, 11.2, no, MEMORY);
+        assertNotEquals(late.now(), other.now());
+    }
+
+    /** A short episode is remembered to its first event, however long ago that was. */
+    @Test
+    void aShortEpisodeForgetsNothing() {
+        UnaryOperator<BeliefTracker> saw = t -> t.saw(new Gesture(DOMAIN.spec().shoulder(), new Vector3(0.1, -1, -0.3)));
+        UnaryOperator<BeliefTracker> ask = t -> t.started(Act.of("ASK", "metal_bowl"));
+        UnaryOperator<BeliefTracker> yes = t -> t.heard(Speech.of("yes", DOMAIN.vocabulary()));
+        double forever = Double.POSITIVE_INFINITY;
+        Timeline timeline = Timeline.of(START).acted(1, ask, forever);
+        BeliefTracker expected = ask.apply(START);
+        for (int k = 2; k < 2000; k++) {
+            expected = k == 100 ? yes.apply(expected) : expected;
+            UnaryOperator<BeliefTracker> change = k % 100 == 0 ? t -> t.started(Act.WAIT) : saw;
+            timeline = k % 100 == 0 ? timeline.acted(k, change, forever) : timeline.sensed(k, k, change, forever);
+            expected = change.apply(expected);
+        }
+        assertEquals(expected, timeline.sensed(1.5, 3000, yes, forever).now());
     }
 
     @Test

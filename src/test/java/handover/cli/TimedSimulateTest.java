@@ -4,10 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -66,14 +68,66 @@ class TimedSimulateTest {
         return List.of(o.lines().stream().filter(line -> line.startsWith(solver)).findFirst().orElseThrow().split(" +"));
     }
 
-    @Test
-    void thereIsNoTimedLog() {
+    /** The log has times, and its beliefs follow from them bit for bit, for both agents and with people who are slow or late. */
+    @ParameterizedTest
+    @CsvSource({"bowls-and-spoons,none", "bowls-incremental,lognormal:median=2.5s;sigma=0.8", "bowls-communicated,3s"})
+    void whatWasLoggedAgrees(String domain, String model) throws IOException {
         Path log = folder.resolve("a.jsonl");
-        Output o = timed("--out", log.toString());
+        String reaction = model.replace(';', ',');
+        Output o = timed("--out", log.toString(), "--domain", domain, "--reaction", reaction);
+        assertEquals(Main.FINE, o.code(), o.err());
+        assertEquals(timed("--out", "-", "--domain", domain, "--reaction", reaction).out()
+                + "\nEvery step is in " + log + "; handover replay " + log + " checks its beliefs.\n", o.out());
+        Output replay = Output.of("replay", log.toString());
+        assertEquals("", replay.err());
+        assertTrue(replay.out().matches("120 episodes with \\d+ steps agree\n"), replay.out());
+        List<String> lines = Files.readAllLines(log);
+        assertEquals(60, lines.stream().filter(line -> line.endsWith(",\"agent\":\"concurrent\"}")).count());
+        assertEquals(60, lines.stream().filter(line -> line.endsWith(",\"agent\":\"sequential\"}")).count());
+    }
+
+    /** What was said and never arrived cannot have changed the belief. */
+    @Test
+    void aChangedTimeIsFound() throws IOException {
+        Path log = folder.resolve("a.jsonl");
+        timed("--out", log.toString(), "--agent", "sequential");
+        Files.writeString(log, Files.readString(log).replaceFirst("\"speech_arrives\":[.0-9]+", "\"speech_arrives\":1e6"));
+        Output o = Output.of("replay", log.toString());
+        assertEquals(Main.DIFFERENT, o.code());
+        assertTrue(o.err().matches("handover: \\S+a.jsonl: episode \\d+ of poss:H=1,C=5, sequential: step \\d+: belief of .*\n"), o.err());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            "start":2.0 | "start":-1      | line 2: steps[0].time.start: expected a time of at least 0.0 s, got -1
+            "end":      | "end":1,"was": | line 2: steps[0].time.end: expected a time of at least 2.0 s, got 1
+            "speech_at" | "speech"        | line 2: steps[0].time.speech_at: this field is missing
+            "time":{    | "tame":{        | line 2: steps[0].time: this field is missing
+            "agent":    | "agemt":        | line 2: agent: this field is missing
+            "patience": | "patient":      | line 1: timed.patience: this field is missing
+            """)
+    void whatIsNoTimeIsSaidWithItsLine(String old, String changed, String message) throws IOException {
+        Path log = folder.resolve("a.jsonl");
+        timed("--out", log.toString());
+        Files.writeString(log, Files.readString(log).replaceFirst(Pattern.quote(old), changed.replace("{", "\\{")));
+        Output o = Output.of("replay", log.toString());
+        assertEquals("handover: " + log + ": " + message + "\n", o.err());
         assertEquals(Main.BAD_INPUT, o.code());
-        assertEquals("handover: --out: episodes with --timed are not logged, because a log has no times; expected -, got " + log + "\n", o.err());
-        assertFalse(Files.exists(log));
-        assertEquals(Main.FINE, timed("--out", "-", "--agent", "concurrent").code());
+    }
+
+    @Test
+    void aLogIsOnlyWrittenWhereItWasAskedFor() throws IOException {
+        Path other = Files.writeString(folder.resolve("notes.txt"), "mine");
+        Output o = timed("--out", other.toString());
+        assertEquals("handover: " + other + ": is not an episode log and will not be overwritten; choose another --out\n", o.err());
+        assertEquals("mine", Files.readString(other));
+        assertFalse(timed("--agent", "concurrent").out().contains("Every step"));
+        Path log = folder.resolve("a.jsonl");
+        timed("--out", log.toString(), "--agent", "sequential");
+        Output resumed = Output.of("simulate", "--resume", "--episodes", "30", "--solver", "poss:H=1,C=5", "--solver", "confirm",
+                "--out", log.toString());
+        assertEquals("handover: " + log + ": is the log of another run (timed), which cannot be resumed with these options\n",
+                resumed.err());
     }
 
     @ParameterizedTest

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 class EpisodeLogTest {
     private static final DomainSpec SPEC = DomainFiles.read("bowls-and-spoons").with(s -> s.handovers = 2);
     private static final DomainSpec PEOPLE = SPEC.with(s -> s.tau = 0.9);
-    private static final RunHeader HEADER = new RunHeader(SPEC, PEOPLE, -5, List.of("confirm"), 7, 100, 0);
+    private static final RunHeader HEADER = new RunHeader(SPEC, PEOPLE, -5, List.of("confirm"), 7, 100, 0, null);
 
     @TempDir
     Path folder;

@@ -55,7 +55,7 @@ class TimedFilterTest {
             whole = whole.after(act).given(o);
             boolean completes = o.signal() == PickSignal.ACCEPTED || o.signal() == PickSignal.REJECTED;
             List<Arrival> arrivals = ResponseTimes.NONE.arrivals(step, domain.start().acts().get(0), 0.5, completes, o, new SplittableRandom(0))
-                    .stream().map(a -> new Arrival(a.at() + 0.6, 0, a.speech(), a.gesture())).toList();
+                    .stream().map(a -> new Arrival(a.at() + 0.6, a.arrives() + 0.6, a.speech(), a.gesture())).toList();
             for (TimedFilter filter : List.of(inTime, late)) {
                 filter.started(step, act);
                 filter.ended(step + 0.5, o.signal());

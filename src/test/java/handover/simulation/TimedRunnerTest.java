@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import handover.belief.HandoverBelief;
 import handover.domain.Act;
 import handover.domain.DomainSpec;
 import handover.domain.HandoverDomain;
@@ -219,7 +220,21 @@ class TimedRunnerTest {
             before = t.end();
         }
         assertEquals(before, e.episode().measures().seconds());
+        checkReplay(e);
         assertEquals(e.times(), runner.play(index, agent).times());
+    }
+
+    /** What was done and sensed, and when, is all that the beliefs follow from. */
+    private static void checkReplay(TimedEpisode e) {
+        TimedReplay replay = new TimedReplay(e.episode().start());
+        for (int k = 0; k < e.times().size(); k++) {
+            Step step = e.episode().steps().get(k);
+            replay.started(step.act(), step.observation().signal(), e.times().get(k));
+            HandoverBelief b = replay.settled(k + 1 < e.times().size() ? e.times().get(k + 1).start() : e.times().get(k).end());
+            assertArrayEquals(step.belief().probabilities(), b.probabilities(), "belief after act " + k);
+            assertArrayEquals(step.belief().human(), b.human(), "human belief after act " + k);
+            assertEquals(step.belief().task(), b.task());
+        }
     }
 
     /** The number of times that a policy is asked again only to see whether it would have differed changes nothing. */

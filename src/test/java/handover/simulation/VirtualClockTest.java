@@ -53,6 +53,25 @@ class VirtualClockTest {
     }
 
     @Test
+    void goesOnToATime() {
+        VirtualClock clock = new VirtualClock();
+        List<Double> happened = new ArrayList<>();
+        clock.at(1, () -> {
+            happened.add(clock.now());
+            clock.at(2, () -> happened.add(clock.now()));
+        });
+        clock.at(2.5, () -> happened.add(clock.now()));
+        clock.advanceTo(2);
+        assertEquals(List.of(1.0, 2.0), happened);
+        clock.advanceTo(2.25);
+        assertEquals(2.25, clock.now());
+        clock.advanceTo(1);
+        assertEquals(2.25, clock.now(), "never back");
+        assertTrue(clock.advance());
+        assertEquals(List.of(1.0, 2.0, 2.5), happened);
+    }
+
+    @Test
     void thePastIsRefused() {
         VirtualClock clock = new VirtualClock();
         assertFalse(clock.advance());
