@@ -25,6 +25,8 @@ public record BenchFile(Path path) {
         try {
             Files.writeString(draft, WRITER.writeValueAsString(content) + "\n");
             Files.move(draft, whole, StandardCopyOption.REPLACE_EXISTING);
+        } catch (IOException e) {
+            throw NamedOutput.named(path, e);
         } finally {
             Files.deleteIfExists(draft);
         }

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.OutputStreamWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.OpenOption;
 import java.nio.file.Path;
@@ -41,8 +42,13 @@ public final class NamedOutput extends OutputStream {
         try {
             operation.run();
         } catch (IOException e) {
-            throw new IOException(file + ": " + e.getMessage(), e);
+            throw named(file, e);
         }
+    }
+
+    /** What went wrong with a file, with its name in the message. */
+    static IOException named(Path file, IOException e) {
+        return e instanceof FileSystemException ? e : new IOException(file + ": " + e.getMessage(), e);
     }
 
     @Override

@@ -135,7 +135,7 @@ public final class PointJournal implements Closeable {
             append(ByteBuffer.allocate(2 * Integer.BYTES + entry.length).putInt(entry.length).putInt(crc(entry)).put(entry).array());
             units++;
         } catch (IOException e) {
-            throw new UncheckedIOException(e);
+            throw new UncheckedIOException(NamedOutput.named(file, e));
         }
     }
 

@@ -42,6 +42,8 @@ public record PolicyFile(PolicyRun run, PolicyTable table) {
                 write(p, out);
             }
             out.finish();
+        } catch (IOException e) {
+            throw NamedOutput.named(next, e);
         }
         Files.move(next, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     }

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -41,5 +42,19 @@ class NamedOutputTest {
                 List.of("confirm"), 1, 1, 0, null);
         assertEquals("/dev/full: No space left on device",
                 assertThrows(IOException.class, () -> EpisodeLogWriter.create(FULL, header)).getMessage());
+    }
+
+    /** These are written beside the file that they replace. */
+    @Test
+    void aFullDiskHasANameForWhatIsReplaced() throws IOException {
+        assumeTrue(Files.exists(FULL), "only some systems have a disk that is always full");
+        Path file = folder.resolve("b.json");
+        Files.createSymbolicLink(folder.resolve("b.json.tmp"), FULL);
+        assertEquals(file + ": No space left on device",
+                assertThrows(IOException.class, () -> new BenchFile(file).write(Map.of("a", 1))).getMessage());
+        Path draft = Files.createSymbolicLink(folder.resolve("c.policy.tmp"), FULL);
+        assertEquals(draft + ": No space left on device",
+                assertThrows(IOException.class, () -> PolicyFileTest.policy(3, 0).write(folder.resolve("c.policy"))).getMessage());
+        Files.delete(draft);
     }
 }
