@@ -24,6 +24,7 @@ from typing import Any, Callable, Dict, Iterator, NamedTuple, NoReturn, Optional
 from urllib.parse import urlsplit
 
 ADDRESS = "tcp://127.0.0.1:5701"
+PASSING = {"no_episode", "stale", "busy"}  # codes of what came at a bad moment
 TOPICS = ["belief", "decision", "act", "error", "heartbeat", "scene", "episode"]  # of events
 
 
@@ -134,6 +135,16 @@ class Bridge:
                 return reply
         raise NoAnswer(f"{self.address}: the bridge did not answer a {type} in {self.tries} x {wait:g} s"
                        + ("" if self.keys else "; is it running, and without --curve?"))
+
+    def sensed(self, type: str, **fields: Any) -> Optional[Dict[str, Any]]:
+        """As ask, for what was heard or seen: None, and a line on standard error, if it came at a bad moment."""
+        try:
+            return self.ask(type, **fields)
+        except Refused as e:
+            if e.code not in PASSING:
+                raise
+            print(e, file=sys.stderr)
+            return None
 
     def hello(self) -> Dict[str, Any]:
         """What the bridge said when it was first asked: the domain, its objects, acts and sockets."""

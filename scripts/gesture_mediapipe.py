@@ -50,8 +50,8 @@ def main() -> int:
             for message in found:
                 if given.landmarks:
                     del message["t"]  # as if it were seen now
-                reply = bridge.ask("gesture", **message)
-                print(f"{message['side']} arm points, belief {reply['belief']}", flush=True)
+                reply = bridge.sensed("gesture", **message)
+                print(f"{message['side']} arm points" + (f", belief {reply['belief']}" if reply else ""), flush=True)
     return 0
 
 

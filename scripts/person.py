@@ -31,6 +31,10 @@ DEFAULTS: Dict[str, Any] = {
 }
 
 
+# What else a human file may say, of no use to a person who is simulated here, or read elsewhere.
+OTHERS = ["objects", "perception", "tau_human", "description", "$schema"]
+
+
 class Reaction(NamedTuple):
     """What a person does about an act. text: what they say; hand: metres, where they point; either may be None."""
 
@@ -151,6 +155,55 @@ def merged(base: Dict[str, Any], changes: Dict[str, Any]) -> Dict[str, Any]:
     for key, value in changes.items():
         tree[key] = merged(tree[key], value) if isinstance(value, dict) and isinstance(tree.get(key), dict) else value
     return tree
+
+
+def human(path: str) -> Dict[str, Any]:
+    """A human file: what this person does otherwise."""
+    tree = read_json(path)
+    for key in tree:
+        if key not in DEFAULTS and key not in OTHERS:
+            raise BadInput(f"{path}: {key}: expected one of {', '.join([*DEFAULTS, *OTHERS])}")
+    return tree
+
+
+def objects(view: Dict[str, Any], path: str) -> List[Dict[str, Any]]:
+    """The objects of a domain, each with name, position and words."""
+    found = view.get("objects")
+    for k, o in enumerate(found if isinstance(found, list) and found else [None]):
+        if not (_has_words(o) and _like(o.get("position"), [0.0, 0.0, 0.0])):
+            raise BadInput(f"{path}: objects[{k}]: expected a name, a position of three numbers, and words with numbers")
+    return found
+
+
+def renamed(table: List[Dict[str, Any]], own: Dict[str, Any], path: str) -> List[Dict[str, Any]]:
+    """The objects of a table with the words that a human file has for some of them."""
+    words = {}
+    others = own.get("objects", [])
+    for k, o in enumerate(others if isinstance(others, list) else [None]):
+        if not _has_words(o) or o["name"] not in [known["name"] for known in table]:
+            raise BadInput(f"{path}: objects[{k}]: expected the name of an object on the table, and words with numbers")
+        words[o["name"]] = o["words"]
+    return [{**o, "words": words.get(o["name"], o["words"])} for o in table]
+
+
+def _has_words(o: Any) -> bool:
+    return (isinstance(o, dict) and isinstance(o.get("name"), str) and isinstance(o.get("words"), dict)
+            and all(_like(n, 0.0) and n >= 0 for n in o["words"].values()))
+
+
+def check(own: Dict[str, Any], model: Dict[str, Any], path: str, place: str = "") -> None:
+    """Raises BadInput where a parameter is not of the form that it has in the model."""
+    for key, value in model.items():
+        if key in own and isinstance(value, dict) and isinstance(own[key], dict):
+            check(own[key], value, path, f"{place}{key}.")
+        elif key in own and (isinstance(value, dict) or not _like(own[key], value, any_length=key == "word_counts")):
+            raise BadInput(f"{path}: {place}{key}: expected something like {json.dumps(value)}, got {json.dumps(own[key])}")
+
+
+def _like(value: Any, model: Any, any_length: bool = False) -> bool:
+    if isinstance(model, list):
+        return isinstance(value, list) and (len(value) == len(model) or any_length and value != []) and all(_like(v, 0.0) for v in value)
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
 
 
 def read_json(path: str) -> Dict[str, Any]:

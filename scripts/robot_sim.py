@@ -86,7 +86,10 @@ def to_person(address: str) -> Callable[[str], bool]:
 
 
 def at_keyboard(name: str) -> bool:
-    return input(f"Do you take {name}? [y/n] ").strip().lower().startswith("y")
+    try:
+        return input(f"Do you take {name}? [y/n] ").strip().lower().startswith("y")
+    except EOFError as e:
+        raise client.BadInput("--hand keyboard: expected y or n, got the end of the input") from e
 
 
 if __name__ == "__main__":

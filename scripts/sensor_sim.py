@@ -17,7 +17,7 @@ from typing import Any, Callable, Dict, List, Tuple
 
 import client
 from client import Bridge, zmq
-from person import Person, merged, read_json
+from person import DEFAULTS, Person, check, human, merged, objects, read_json, renamed
 
 HAND = "tcp://127.0.0.1:5704"
 REACTION = (0.2, 0.8)  # seconds after which a person reacts
@@ -38,9 +38,13 @@ def main() -> int:
     if given.handovers < 1:
         raise client.BadInput(f"--handovers: expected a whole number of at least 1, got {given.handovers}")
     with client.connect(given, "person") as bridge:
+        place = given.domain or given.bridge
         view = read_json(given.domain) if given.domain else bridge.hello()
-        own = merged(view if given.domain else {"shoulder": view["shoulder"]}, read_json(given.human) if given.human else {})
-        person = Person(view["objects"], own, random.Random(given.seed), given.wants)
+        otherwise = human(given.human) if given.human else {}
+        own = merged(view if given.domain else {"shoulder": view["shoulder"]}, otherwise)
+        check(own, DEFAULTS, given.human or place)
+        table = renamed(objects(view, place), otherwise, given.human)
+        person = Person(table, own, random.Random(given.seed), given.wants)
         return Simulation(bridge, person, given.scale, random.Random(given.seed + 1)).run(given.hand, given.handovers)
 
 
@@ -99,14 +103,18 @@ class Simulation:
 
     def speak(self, text: str) -> None:
         say(f'says "{text}"')
-        self.bridge.ask("speech", text=text, t=time.time())
+        self.bridge.sensed("speech", text=text, t=time.time())
 
     def point(self, hand: Tuple[float, float, float]) -> None:
         say(f"points, hand at {hand}")
         self.bridge.push("gesture", hand=hand, shoulder=self.person.own["shoulder"], t=time.time())
 
     def offered(self, socket: Any) -> bool:
-        name = json.loads(socket.recv()).get("offer")
+        try:
+            name = json.loads(socket.recv())["offer"]
+        except (ValueError, KeyError, TypeError):
+            socket.send(b'{"error": "expected {\\"offer\\": \\"NAME\\"}"}')
+            return False
         self.due.clear()
         taken = self.person.take(name)
         say(f"{'takes' if taken else 'does not take'} {name}")

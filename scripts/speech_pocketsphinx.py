@@ -49,8 +49,8 @@ def listen(given: Any, domain: Dict[str, Any], bridge: Optional[client.Bridge]) 
     for text, ago in recogniser.utterances(sound):
         heard += 1
         when = {} if given.wav else {"t": time.time() - ago}  # a file is as if it were said now
-        reply = bridge.ask("speech", text=text, **when) if bridge else {}
-        print(f'heard "{text}"' + (f", belief {reply['belief']}" if bridge else ""), flush=True)
+        reply = bridge.sensed("speech", text=text, **when) if bridge else None
+        print(f'heard "{text}"' + (f", belief {reply['belief']}" if reply else ""), flush=True)
     if not heard and given.wav:
         print(f"{given.wav}: nothing was heard", file=sys.stderr)
     return 0

@@ -1,4 +1,6 @@
 """The client against a bridge that answers as the test says."""
+import contextlib
+import io
 import json
 import os
 import sys
@@ -52,6 +54,15 @@ class ClientTest(unittest.TestCase):
         late = {"type": "ok", "re": "old", "belief": 1}
         with Answering([late, {"type": "ok", "belief": 2}]) as other, Bridge(other.address) as bridge:
             self.assertEqual(2, bridge.ask("state")["belief"])
+
+    def test_what_is_sensed_at_a_bad_moment_is_passed_over(self):
+        late = {"type": "error", "code": "no_episode", "message": "there is no episode"}
+        with Answering([late], [{**late, "code": "bad_field"}]) as other, Bridge(other.address) as bridge:
+            with contextlib.redirect_stderr(io.StringIO()) as told:
+                self.assertIsNone(bridge.sensed("speech", text="red"))
+            self.assertEqual("no_episode: there is no episode\n", told.getvalue())
+            with self.assertRaises(Refused):
+                bridge.sensed("speech", text=3)
 
     def test_an_error_is_raised_with_code_and_path(self):
         error = {"type": "error", "code": "bad_field", "path": "hand[1]", "message": "expected a number"}

@@ -7,7 +7,7 @@ import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), ".."))
 from client import BadInput  # noqa: E402
-from person import DEFAULTS, Person, angle, merged, minus  # noqa: E402
+from person import DEFAULTS, Person, angle, check, merged, minus, objects, renamed  # noqa: E402
 
 TABLE = [{"name": "cup", "position": [-0.3, 0.6, 0], "words": {"red": 3, "cup": 5}},
          {"name": "box", "position": [0.3, 0.6, 0], "words": {"blue": 2}}]
@@ -55,6 +55,26 @@ class PersonTest(unittest.TestCase):
         # p(cup) = (5 + 0.2) / (8 + 0.2 * 3 words); 0.4 N utterances of 1.7 words in the mean.
         self.assertAlmostEqual(5.2 / 8.6, said.count("cup") / len(said), delta=0.02)
         self.assertAlmostEqual(0.4 * 1.7, len(said) / N, delta=0.03)
+
+    def test_has_words_of_their_own(self):
+        table = renamed(TABLE, {"objects": [{"name": "box", "words": {"crate": 3}}]}, "human.json")
+        self.assertEqual([TABLE[0]["words"], {"crate": 3}], [o["words"] for o in table])
+        self.assertEqual(TABLE, renamed(TABLE, {}, "human.json"))
+
+    def test_what_is_no_person_is_told(self):
+        for wrong, problem in (({"acts": {"ask": {"speech_rate": "x"}}}, "f: acts.ask.speech_rate: expected something like 0.5, got \"x\""),
+                               ({"shoulder": [1, 2]}, "f: shoulder: expected something like"),
+                               ({"speech": {"word_counts": []}}, "f: speech.word_counts: expected something like"),
+                               ({"speech": 3}, "f: speech: expected something like")):
+            with self.subTest(problem), self.assertRaises(BadInput) as raised:
+                check(wrong, DEFAULTS, "f")
+            self.assertIn(problem, str(raised.exception))
+        check({"speech": {"word_counts": [1]}, "more": 1}, DEFAULTS, "f")
+        for wrong in ({}, {"objects": 3}, {"objects": [{"name": "cup", "words": {}}]}):
+            with self.subTest(wrong), self.assertRaisesRegex(BadInput, r"f: objects\[0\]: expected a name, a position"):
+                objects(wrong, "f")
+        with self.assertRaisesRegex(BadInput, r"h: objects\[0\]: expected the name of an object on the table"):
+            renamed(TABLE, {"objects": [{"name": "spoon", "words": {}}]}, "h")
 
     def test_speaks_up_when_surprised(self):
         who = person(speech={"surprise": 0.3})

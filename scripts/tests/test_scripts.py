@@ -50,6 +50,7 @@ class ScriptsTest(unittest.TestCase):
                 ("sensor_sim.py", ["--scale", "inf"], "--scale: expected a number above 0, got inf"),
                 ("sensor_sim.py", ["--handovers", "0"], "--handovers: expected a whole number of at least 1, got 0"),
                 ("sensor_sim.py", ["--handovers", "-3"], "--handovers: expected a whole number of at least 1, got -3"),
+                ("sensor_sim.py", ["--bridge", DEAD, "--domain", __file__], "test_scripts.py: expected JSON"),
                 ("robot_sim.py", ["--hand", "foo"], "--hand foo: expected keyboard or an address such as tcp://"),
                 ("plot_episode.py", [], "expected LOG EPISODE SOLVER"),
                 ("plot_episode.py", ["/nowhere", "0", "confirm"], "/nowhere: No such file or directory"),
