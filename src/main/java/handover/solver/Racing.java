@@ -22,6 +22,8 @@ final class Racing<N> {
     /** An act is out if it is behind by more than so many standard errors and the slack. */
     private static final double STANDARD_ERRORS = 2.5;
     private static final int BATCH = 8;
+    /** Better than looking one act ahead, if time does not do for a batch. */
+    private static final int FEWEST = 3;
     /** More acts than this do not race: at a table of a hundred objects time would not do for a single batch. */
     private static final int MOST = 128;
     private static final double GOLDEN = 0.6180339887498949;
@@ -130,7 +132,7 @@ final class Racing<N> {
             if (done >= BATCH && rollouts) {
                 played = best(sums);
                 earned = sums[played] / done - error(played, done);
-            } else if (done >= BATCH) {
+            } else if (done >= (depth == 1 ? FEWEST : BATCH)) {
                 for (int i = 0; i < left; i++) {
                     q[alive[i]] = sums[alive[i]] / done;
                 }

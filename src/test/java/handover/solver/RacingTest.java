@@ -66,6 +66,18 @@ class RacingTest {
         assertTrue(raced.nodes() < all.nodes() / 10, raced.nodes() + " of " + all.nodes());
     }
 
+    /** Three draws of each act see more than one act ahead, two may be pure luck. */
+    @ParameterizedTest
+    @CsvSource({"6,1", "8,1", "9,2", "24,2"})
+    void aFirstRaceThatIsCutOffCountsFromThreeDrawsOn(int allowed, int depth) {
+        TabularSearch mdp = new TabularSearch(tiger);
+        Racing<TabularSearch.Node> racing = racing(mdp, new Race(2, 8, 64, 1e9));
+        AtomicInteger checks = new AtomicInteger();
+        assertEquals(2, racing.run(mdp.belief(new double[] {0.5, 0.5}), 1, () -> checks.incrementAndGet() > allowed, q));
+        assertEquals(depth, racing.depth());
+        assertFalse(racing.finished());
+    }
+
     @Test
     void aRaceThatIsCutOffLeavesTheAnswerOfTheOneBefore() {
         TabularSearch mdp = new TabularSearch(tiger);
