@@ -8,6 +8,7 @@ import handover.domain.HandoverDomain;
 import handover.domain.PickType;
 import handover.domain.Scene;
 import handover.domain.Task;
+import handover.domain.WrongPick;
 import handover.math.Simplex;
 import java.util.HashMap;
 import java.util.Map;
@@ -38,6 +39,7 @@ final class AskInTurn {
     /** What reaching for each object comes to. */
     private final double[] pickPrice;
     private final double lastDiscount;
+    private final boolean wrongEnds;
     /** Nothing is open yet. */
     private final Turn start;
     private final Map<Task, Turn> turns = new HashMap<>();
@@ -75,6 +77,7 @@ final class AskInTurn {
             }
         }
         mostRepeated = repeated;
+        wrongEnds = domain.spec().wrongPick() == WrongPick.TERMINAL;
         lastDiscount = PickPrice.outcome(domain.pickRule(), gamma);
     }
 
@@ -114,14 +117,15 @@ final class AskInTurn {
      * @param b not modified
      * @param likeliest in b
      * @param otherwise what it is worth to have handed over the wrong object or to have no answer to anything
+     * @param afterHandover what it is worth to have handed over the right one
      */
-    double value(double[] b, int likeliest, double otherwise) {
+    double value(double[] b, int likeliest, double otherwise, double afterHandover) {
         if (asks[0] == null) {
             return Double.NEGATIVE_INFINITY;
         }
         System.arraycopy(b, 0, left, 0, n);
-        double afterRight = lastDiscount * domain.pickReward(true);
-        double afterWrong = lastDiscount * (domain.pickReward(false) + domain.discount() * otherwise);
+        double afterRight = lastDiscount * (domain.pickReward(true) + domain.discount() * afterHandover);
+        double afterWrong = lastDiscount * (domain.pickReward(false) + (wrongEnds ? 0 : domain.discount() * otherwise));
         Turn turn = start;
         double value = 0;
         double discount = 1;

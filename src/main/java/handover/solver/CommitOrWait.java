@@ -8,6 +8,7 @@ import handover.domain.Scene;
 import handover.domain.Task;
 import handover.domain.WrongPick;
 import handover.math.Simplex;
+import java.util.Arrays;
 
 /**
  * What leaves are worth: the best of four simple policies that can be executed. Hand over the likeliest object now, and go on
@@ -34,7 +35,8 @@ final class CommitOrWait {
     private final double waitReward;
     /** Of knowing nothing and waiting. */
     private final double unanswered;
-    private final double afterHandover;
+    /** By how many more objects may be handed over after one: what the table that is left is worth. */
+    private final double[] afterHandover;
     private final double[][] rest;
     private final double[] human;
     private final double[] otherHuman;
@@ -55,17 +57,33 @@ final class CommitOrWait {
         this.asking = new AskInTurn(scene);
         this.atOnce = domain.pickRule().increments() == 1;
         this.reaching = new ReachInTurn(scene, asking, picks, unanswered);
-        double[] fresh = Simplex.uniform(n - 1);
-        this.afterHandover = n == 1 ? 0 : waiting(domain.matchReward(fresh, fresh, n - 1));
+        this.afterHandover = afterHandovers();
         this.rest = new double[MOST_PICKS][n];
         this.human = new double[n];
         this.otherHuman = new double[n];
         this.wish = new double[n];
-        this.bounds = new UpperBounds(scene, picks, MOST_PICKS, this::waiting, afterHandover);
+        this.bounds = new UpperBounds(scene, picks, MOST_PICKS, this::waiting, Arrays.stream(afterHandover).max().orElseThrow());
         double gamma = domain.discount();
         this.perIncrement = domain.pickRule().perIncrement(gamma);
         this.tries = domain.pickRule().tries(gamma);
         this.onAdvance = domain.pickRule().onAdvance(gamma);
+    }
+
+    /** The best of waiting, asking and reaching in turn for a new wish, as if the table were this one. */
+    private double[] afterHandovers() {
+        double[] value = new double[Math.min(domain.spec().handovers(), n)];
+        for (int left = 1; left < value.length; left++) {
+            double[] fresh = Simplex.uniform(n - 1);
+            double act = Math.max(asking.value(uniform, 0, unanswered, value[left - 1]),
+                    atOnce ? Double.NEGATIVE_INFINITY : reaching.value(uniform, 0, value[left - 1]));
+            value[left] = Math.max(waiting(domain.matchReward(fresh, fresh, n - 1)), act);
+        }
+        return value;
+    }
+
+    /** What is left to earn once the object that is wanted is handed over. */
+    private double afterHandover(Task task) {
+        return afterHandover[Math.max(0, Math.min(afterHandover.length, domain.spec().handovers() - task.handovers()) - 1)];
     }
 
     UpperBounds bounds() {
@@ -89,14 +107,14 @@ final class CommitOrWait {
         int x = b.likeliest();
         ActEffect pick = node.task.effect(picks[x]);
         int ask = asking.act(x);
-        boolean complete = !pick.completes() || ask < 0 || domain.expectedPickReward(b.p[x]) > asking(b);
+        boolean complete = !pick.completes() || ask < 0 || domain.expectedPickReward(b.p[x]) + domain.discount() * b.p[x] * afterHandover(node.task) > asking(node);
         return complete ? picks[x] : ask;
     }
 
     /** The value of a belief at which no pick has just completed. */
     double value(HandoverSearch.Node node) {
         SearchBelief b = node.b;
-        double best = Math.max(reaching(b), asking(b) + asking.repeating(node.task, b.likeliest()));
+        double best = Math.max(reaching(node), asking(node) + asking.repeating(node.task, b.likeliest()));
         if (waiting(node.match) > best) {
             best = Math.max(best, waiting(Math.min(node.match, matchUniform(b))));
         }
@@ -109,7 +127,7 @@ final class CommitOrWait {
                 best = Math.max(best, committing(node, x));
             }
             if (x == b.likeliest()) {
-                best = Math.max(best, reaching.value(b.p, node.task, x));
+                best = Math.max(best, reaching.value(b.p, node.task, x, afterHandover(node.task)));
             }
         }
         return best;
@@ -131,20 +149,22 @@ final class CommitOrWait {
     }
 
     /** The value of asking in turn when nothing is open. */
-    private double asking(SearchBelief b) {
+    private double asking(HandoverSearch.Node node) {
+        SearchBelief b = node.b;
         if (Double.isNaN(b.asking)) {
-            b.asking = asking.value(b.p, b.likeliest(), unanswered);
+            b.asking = asking.value(b.p, b.likeliest(), unanswered, afterHandover(node.task));
         }
         return b.asking;
     }
 
     /** The value of reaching in turn when nothing is reached for. */
-    private double reaching(SearchBelief b) {
+    private double reaching(HandoverSearch.Node node) {
         if (atOnce) {
             return Double.NEGATIVE_INFINITY;
         }
+        SearchBelief b = node.b;
         if (Double.isNaN(b.reaching)) {
-            b.reaching = reaching.value(b.p, b.likeliest());
+            b.reaching = reaching.value(b.p, b.likeliest(), afterHandover(node.task));
         }
         return b.reaching;
     }
@@ -196,7 +216,7 @@ final class CommitOrWait {
     }
 
     private double later(double right, Task during, double afterRejection) {
-        return right * (during.completed(true).done() ? 0 : afterHandover)
+        return right * afterHandover(during)
                 + (1 - right) * (during.completed(false).done() ? 0 : afterRejection);
     }
 
@@ -231,7 +251,7 @@ final class CommitOrWait {
     /** On {@link #value} after an act that is no pick. */
     double bound(HandoverSearch.Node node) {
         SearchBelief b = node.b;
-        return Math.max(Math.max(reaching(b), asking(b) + asking.mostRepeated()), Math.max(waiting(bounds.match(b)), commitBound(node)));
+        return Math.max(Math.max(reaching(node), asking(node) + asking.mostRepeated()), Math.max(waiting(bounds.match(b)), commitBound(node)));
     }
 
     /** On handing over the likeliest object now; as tight as it needs to be to tell whether that can beat asking. */
@@ -241,7 +261,7 @@ final class CommitOrWait {
             int x = b.likeliest();
             double right = b.p[x];
             b.commitBound = bounds.pick(b, bounds.outcome(right));
-            if (b.commitBound > asking(b)) {
+            if (b.commitBound > asking(node)) {
                 Task picking = node.task.effect(picks[x]).during();
                 double afterRejection = right < 1 ? afterRejection(b, x, picking) : 0;
                 b.commitBound = bounds.pick(b, domain.expectedPickReward(right)

@@ -61,9 +61,13 @@ final class ReachInTurn {
         objecting = new double[MOST_OBJECTIONS + 1][n];
     }
 
-    /** The value at a belief at which nothing is reached for. */
-    double value(double[] b, int likeliest) {
-        return value(b, start, likeliest, 0);
+    /**
+     * The value at a belief at which nothing is reached for.
+     *
+     * @param afterHandover what it is worth to have handed over what is wanted
+     */
+    double value(double[] b, int likeliest, double afterHandover) {
+        return value(b, start, likeliest, afterHandover, 0);
     }
 
     /**
@@ -72,11 +76,11 @@ final class ReachInTurn {
      * @param b not modified
      * @param from the task, in which something may have been done of it
      */
-    double value(double[] b, Task from, int x) {
-        return value(b, from, x, 0);
+    double value(double[] b, Task from, int x, double afterHandover) {
+        return value(b, from, x, afterHandover, 0);
     }
 
-    private double value(double[] b, Task from, int x, int objections) {
+    private double value(double[] b, Task from, int x, double afterHandover, int objections) {
         double[] p = path[objections];
         System.arraycopy(b, 0, p, 0, n);
         Task task = from;
@@ -88,7 +92,7 @@ final class ReachInTurn {
             int k = effect.completes() ? human[x].length - 1 : effect.during().progress() - 1;
             value += weight * tries * (effect.reward() + domain.matchReward(p, human[x][k], n));
             if (effect.completes()) {
-                return value + weight * onAdvance * outcome(p, x, effect.during(), objections);
+                return value + weight * onAdvance * outcome(p, x, effect.during(), afterHandover, objections);
             }
             double[] no = task.expectedAnswers(picks[x]).no();
             double objects = 0;
@@ -100,7 +104,7 @@ final class ReachInTurn {
             }
             weight *= perIncrement;
             if (objects > 0) {
-                value += weight * objects * afterObjection(q, objections);
+                value += weight * objects * afterObjection(q, afterHandover, objections);
             }
             if (!(Simplex.normalise(p, n) > 0)) {
                 return value;
@@ -110,18 +114,18 @@ final class ReachInTurn {
         }
     }
 
-    private double afterObjection(double[] q, int objections) {
+    private double afterObjection(double[] q, double afterHandover, int objections) {
         Simplex.normalise(q, n);
         int next = Simplex.argmax(q, n);
-        double ask = asking.value(q, next, unanswered);
+        double ask = asking.value(q, next, unanswered, afterHandover);
         return objections == MOST_OBJECTIONS - 1 ? Math.max(ask, unanswered)
-                : Math.max(ask, value(q, start, next, objections + 1));
+                : Math.max(ask, value(q, start, next, afterHandover, objections + 1));
     }
 
-    /** Of a completed pick, and what follows if it was wrong. */
-    private double outcome(double[] p, int x, Task during, int objections) {
+    /** Of a completed pick, and what follows. */
+    private double outcome(double[] p, int x, Task during, double afterHandover, int objections) {
         double right = p[x];
-        double now = domain.expectedPickReward(right);
+        double now = domain.expectedPickReward(right) + domain.discount() * right * afterHandover;
         if (right >= 1 || during.completed(false).done()) {
             return now;
         }
@@ -130,7 +134,7 @@ final class ReachInTurn {
         q[x] = 0;
         Simplex.normalise(q, n);
         double again = domain.spec().wrongPick() == WrongPick.REMOVED ? unanswered
-                : Math.max(unanswered, asking.value(q, Simplex.argmax(q, n), unanswered));
+                : Math.max(unanswered, asking.value(q, Simplex.argmax(q, n), unanswered, afterHandover));
         return now + domain.discount() * (1 - right) * again;
     }
 }

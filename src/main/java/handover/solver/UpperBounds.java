@@ -29,7 +29,7 @@ final class UpperBounds {
      * @param picks by object, the act that reaches for it
      * @param wrongInARow after so many wrong objects the leaves only wait
      * @param waiting the value of waiting for ever, by the match reward of a step
-     * @param afterHandover what leaves are worth after an object was handed over
+     * @param afterHandover what leaves are worth at most after an object was handed over
      */
     UpperBounds(Scene scene, int[] picks, int wrongInARow, DoubleUnaryOperator waiting, double afterHandover) {
         domain = scene.domain();
@@ -65,6 +65,9 @@ final class UpperBounds {
 
     /** On an act, however far the search looks after it. */
     double act(SearchBelief b, ActEffect effect) {
+        if (most == Double.POSITIVE_INFINITY) {
+            return most;
+        }
         double now = effect.reward() + match(b);
         double onward = domain.discount() * most;
         if (!effect.completes()) {

@@ -71,6 +71,14 @@ class LeafTest {
         assertEquals(-1 + 0.99 * 50 - 0.01 * 150, leaf(domain, 0.99), 1e-9);
     }
 
+    /** Two handovers: after the first the best of waiting and asking in turn, for a wish of which nothing is known. */
+    @Test
+    void whatComesAfterAHandoverCounts() {
+        HandoverDomain domain = new HandoverDomain(spec().with(s -> s.handovers = 2));
+        double next = Math.max(WAITING, asking(new double[] {0.5, 0.5}, 4, -1));
+        assertEquals(-1 + 50 + GAMMA * next, leaf(domain, 1), 1e-9);
+    }
+
     /** Three increments: the price three times, the outcome with the discount of two steps. */
     @Test
     void incrementsAreAllPaidFor() {

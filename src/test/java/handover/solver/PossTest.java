@@ -28,6 +28,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** POSS on handover domains: exact values, pruning, determinism, deadlines. */
@@ -101,6 +102,26 @@ class PossTest {
                 new SparseSampling<>(new Unbounded<>(mdp), 4, true).values(root, 2, 11, Deadline.NONE, whole);
                 assertArrayEquals(whole, pruned, 0, name + " " + handovers);
             }
+        }
+    }
+
+    /** Rewards that make bounds infinite or leave nothing to discount. */
+    @ParameterizedTest
+    @CsvSource({"1,0.95", "60,0.95", "-100,0", "1,0"})
+    void pruningChangesNoValueWhateverIsPaid(double wrong, double discount) {
+        for (String name : List.of("bowls-and-spoons", "bowls-incremental")) {
+            DomainSpec spec = DomainFiles.read(name).with(s -> {
+                s.rewards = new Rewards(50, wrong, -0.5, 1, MatchScore.BRIER, discount);
+                s.handovers = 2;
+            });
+            HandoverDomain domain = new HandoverDomain(spec);
+            double[] pruned = new double[domain.start().acts().size()];
+            double[] whole = pruned.clone();
+            HandoverSearch mdp = new HandoverSearch(domain.start(), new ConcurrentHashMap<>());
+            HandoverSearch.Node root = mdp.node().load(later(domain));
+            new SparseSampling<>(mdp, 4, true).values(root, 2, 11, Deadline.NONE, pruned);
+            new SparseSampling<>(new Unbounded<>(mdp), 4, true).values(root, 2, 11, Deadline.NONE, whole);
+            assertArrayEquals(whole, pruned, 0, name);
         }
     }
 
