@@ -207,6 +207,7 @@ class Bridge:
     def _connect(self, kind: int, address: str) -> Any:
         socket = self._context.socket(kind)
         socket.linger = 0
+        socket.ipv6 = int("[" in address)
         if self.keys:
             self.keys.put_on(socket)
         try:

@@ -140,8 +140,10 @@ public final class Timeline {
             kept.push(e);
             acts += e.act && e.t >= t ? 1 : 0;
         }
+        double known = first;
         while (acts > 0 && !(kept.peek().act && kept.peek().t >= t)) {
-            kept.pop();
+            Event forgotten = kept.pop();
+            known = forgotten.act ? Math.max(known, forgotten.t) : known;
         }
         if (acts == 0 || kept.size() == events) {
             return acts == 0 ? new Timeline(now, null, 0, lastAct, first, most) : this;
@@ -150,6 +152,6 @@ public final class Timeline {
         for (Event e : kept) {
             event = e.after(event);
         }
-        return new Timeline(now, event, kept.size(), lastAct, first, most);
+        return new Timeline(now, event, kept.size(), lastAct, known, most);
     }
 }

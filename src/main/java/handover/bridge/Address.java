@@ -40,6 +40,7 @@ record Address(String option, String host, String port) {
     /** Throws {@link BridgeException} if it is taken or not on this machine. */
     void bind(ZMQ.Socket socket) {
         ZMQException why = null;
+        prepare(socket);
         try {
             if (socket.bind(toString())) {
                 return;
@@ -49,6 +50,11 @@ record Address(String option, String host, String port) {
         }
         throw new BridgeException("--" + option + ": cannot bind " + this
                 + ": it is in use already, or not an address of this machine", why);
+    }
+
+    /** Lets the socket speak the version of the protocol that the host is written in; to be called before it is connected. */
+    void prepare(ZMQ.Socket socket) {
+        socket.setIPv6(host.startsWith("["));
     }
 
     @Override

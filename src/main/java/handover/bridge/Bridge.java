@@ -31,12 +31,15 @@ public final class Bridge implements AutoCloseable {
     /** Larger frames are not even taken off the wire; smaller ones are answered with what is wrong with them. */
     private static final long LARGEST_FRAME = 16L << 20;
     private static final String WAKE = "inproc://wake";
-    /** So many requests are answered and messages taken from the stream, and for so long applied, before the others' turn. */
+    /** So many requests are answered, and for so long messages of the stream applied, before the others' turn. */
     private static final int REQUESTS = 64;
-    private static final int STREAMED = 200;
+    /** So many messages of the stream are taken at once, and may wait in a socket. */
+    private static final int STREAMED = 5000;
     private static final long WORK_NANOS = 1_000_000;
     /** What was said last may take so long to get out, in milliseconds. */
     private static final int LAST_WORDS_MS = 300;
+    /** For so long what waits is still applied when the bridge is told to stop. */
+    private static final long FINISH_NANOS = 1_000_000_000;
     private static final long MILLI = 1_000_000;
 
     private final ZContext context = new ZContext();
@@ -96,6 +99,7 @@ public final class Bridge implements AutoCloseable {
         security.secure(socket);
         socket.setLinger(LAST_WORDS_MS);
         socket.setMaxMsgSize(LARGEST_FRAME);
+        socket.setRcvHWM(STREAMED);
         address.bind(socket);
         return socket;
     }
@@ -120,19 +124,28 @@ public final class Bridge implements AutoCloseable {
         try (ZMQ.Poller poller = context.createPoller(sockets.size());
                 Service service = new Service(start.session(), policy, welcome, settings, new Sockets(), log,
                         () -> System.currentTimeMillis() / 1e3, System::nanoTime, this::hand)) {
-            service.restore(start.answered());
+            service.restore(start.answered(), start.closed());
             sockets.forEach(s -> poller.register(s, ZMQ.Poller.POLLIN));
             boolean more = false;
             while (!stopping) {
                 poller.poll(more ? 0 : milliseconds(service.untilDue()));
                 more = turnSafely(service);
             }
+            finish(service);
         } finally {
             synchronized (bell) {
                 stopping = true;
                 context.close();
             }
             ended.countDown();
+        }
+    }
+
+    /** What was sensed before the end still counts, if there is not too much of it. */
+    private void finish(Service service) {
+        long start = System.nanoTime();
+        while (turnSafely(service) && System.nanoTime() - start < FINISH_NANOS) {
+            Thread.onSpinWait();
         }
     }
 
@@ -163,22 +176,31 @@ public final class Bridge implements AutoCloseable {
         for (byte[] change = events.recv(ZMQ.DONTWAIT); change != null; change = events.recv(ZMQ.DONTWAIT)) {
             subscriptions.change(change);
         }
+        receive(service);
         int left = REQUESTS;
         for (List<byte[]> frames = Wire.receive(command); frames != null; frames = --left > 0 ? Wire.receive(command) : null) {
             request(frames, service);
         }
-        left = STREAMED;
-        for (List<byte[]> frames = Wire.receive(stream); frames != null; frames = --left > 0 ? Wire.receive(stream) : null) {
-            if (frames.size() == 1) {
+        boolean more = service.work(WORK_NANOS);
+        service.tick();
+        return more;
+    }
+
+    /** Takes what the sensors sent, before the commands: what was sensed before an act is not to seem later than it. */
+    private void receive(Service service) {
+        for (int left = STREAMED; left > 0 && service.hasRoom(); left--) {
+            List<byte[]> frames = Wire.receive(stream);
+            if (frames == null) {
+                break;
+            } else if (frames.size() == 1) {
                 service.stream(frames.get(0));
             } else {
                 service.malformed(null, "expected one frame, got " + frames.size());
             }
         }
-        feeds.forEach(f -> f.work(service));
-        boolean more = service.work(WORK_NANOS);
-        service.tick();
-        return more;
+        if (service.hasRoom()) {
+            feeds.forEach(f -> f.work(service));
+        }
     }
 
     private static void request(List<byte[]> frames, Service service) {

@@ -46,7 +46,7 @@ final class Decisions {
         answered = before;
     }
 
-    /** An episode begins; a decision that was asked for in the last one is made in this one. */
+    /** An episode begins; a decision that was asked for in the last one is made in this one, or is WAIT. */
     void begin() {
         answered = 0;
     }
@@ -96,27 +96,43 @@ final class Decisions {
             return;
         }
         Snapshot now = newest.get();
-        Decision decision = plan.decision();
         if (plan.failure() != null) {
             LOG.warn("the solver failed", plan.failure());
             fallBack("the solver failed: " + plan.failure());
-        } else if (now.over() || plan.at().over()) {
-            start(plan.job()); // again, if another episode has begun
-        } else if (decision == null || decision.act() == null) {
-            fallBack("the solver gave no decision");
-        } else if (now.belief().scene().model(decision.act()) == null) {
-            fallBack(decision.act() + " is not possible any more");
-        } else if (decision.values().values().stream().anyMatch(v -> !Double.isFinite(v))) {
-            fallBack("the solver finds an act worth what is no number");
+        } else if (now.over() || !plan.at().stillMeant(now) && !plan.job().over()) {
+            start(plan.job());
         } else {
-            answer(plan.at(), decision, false);
+            String why = unusable(plan, now);
+            if (why == null) {
+                answer(plan.at(), plan.decision(), false);
+            } else {
+                fallBack(why);
+            }
         }
     }
 
-    /** Answers what is overdue. */
+    /** Why a plan is no answer now, null if it is one. */
+    private static String unusable(Planner.Plan plan, Snapshot now) {
+        Decision decision = plan.decision();
+        if (!plan.at().stillMeant(now)) {
+            return "what was planned for is not so any more, and no time is left";
+        } else if (decision == null || decision.act() == null) {
+            return "the solver gave no decision";
+        } else if (now.belief().scene().model(decision.act()) == null) {
+            return decision.act() + " is not possible any more";
+        }
+        return decision.values().values().stream().allMatch(Double::isFinite) ? null : "the solver finds an act worth what is no number";
+    }
+
+    /** Answers what is overdue: with what was planned for an earlier belief, if the solver is still at a later one. */
     void tick() {
         if (pending != null && pending.job.left() <= -GRACE_NANOS) {
-            fallBack("the deadline passed before the solver had a decision");
+            Planner.Plan plan = pending.job.latest();
+            if (plan != null && unusable(plan, newest.get()) == null) {
+                answer(plan.at(), plan.decision(), false);
+            } else {
+                fallBack("the deadline passed before the solver had a decision");
+            }
         }
     }
 
@@ -136,8 +152,8 @@ final class Decisions {
         answered++;
         vitals.count("decisions");
         vitals.decided(nanos, nanos + asked.job.left());
-        answers.decision(asked.client, Replies.decision(asked.envelope.id(), at.belief(), decision, nanos / NANOS_PER_MS, at.version(),
-                fallback));
+        answers.decision(asked.client, Replies.decision(asked.envelope.id(), at.belief(), newest.get().belief().scene(), decision,
+                nanos / NANOS_PER_MS, at.version(), fallback));
     }
 
     private Pending drop() {

@@ -40,6 +40,7 @@ final class Feed {
         socket.setLinger(0);
         socket.setMaxMsgSize(largestFrame);
         (parts.length == 2 ? List.of(parts[1]) : adapters.keySet()).forEach(t -> socket.subscribe(t.getBytes(StandardCharsets.UTF_8)));
+        address.prepare(socket);
         socket.connect(address.toString());
     }
 

@@ -25,6 +25,10 @@ final class Planner implements AutoCloseable {
     private static final long IDLE_SECONDS = 60;
     /** Thinking ends so long before the deadline, or at nine tenths of it, so that what was thought can be said in time. */
     private static final long MARGIN_NANOS = 5_000_000;
+    /** A decision is planned at most so often; a run that was broken off had at least one part in so many of the limit. */
+    private static final int ATTEMPTS = 20;
+    /** Planning again is worth while with a tenth of the limit left, or with so much. */
+    private static final long USEFUL_NANOS = 200_000_000;
 
     private final Policy policy;
     private final Replan replan;
@@ -58,6 +62,7 @@ final class Planner implements AutoCloseable {
         private final long asked;
         private final long limit;
         private volatile boolean cancelled;
+        private volatile Plan latest;
 
         private Job(long number, long asked, long limit) {
             this.number = number;
@@ -80,24 +85,33 @@ final class Planner implements AutoCloseable {
             return limit - elapsed();
         }
 
-        private boolean over() {
+        /** Whether there is no time to think any more. */
+        boolean over() {
             return cancelled || left() <= Math.min(MARGIN_NANOS, limit / 10);
+        }
+
+        /** The plan for the newest belief for which one was made so far, null if there is none. */
+        Plan latest() {
+            return latest;
+        }
+
+        private boolean worthAnother() {
+            return left() > Math.min(USEFUL_NANOS, limit / 10);
         }
 
         @Override
         public void run() {
             Snapshot at = newest.get();
-            Decision decision = null;
             try {
                 boolean again = !at.over();
-                while (again) {
+                for (int k = 1; again; k++) {
                     Attempt attempt = new Attempt(this, at);
-                    decision = policy.decide(at.belief(), attempt, Streams.of(at.seed(), "planner", number));
-                    Snapshot now = newest.get();
-                    again = !now.over() && !over() && attempt.worthAnother() && replan.due(at.belief(), now.belief());
-                    at = again ? now : at;
+                    latest = new Plan(this, at, policy.decide(at.belief(), attempt, Streams.of(at.seed(), "planner", number)), null);
+                    again = k < ATTEMPTS && !over() && attempt.outOfDate();
+                    at = newest.get();
+                    again = again && !at.over();
                 }
-                done.accept(new Plan(this, at, decision, null));
+                done.accept(latest == null ? new Plan(this, at, null, null) : latest);
             } catch (RuntimeException | LinkageError | StackOverflowError | OutOfMemoryError e) {
                 done.accept(new Plan(this, at, null, e));
             }
@@ -105,14 +119,18 @@ final class Planner implements AutoCloseable {
     }
 
     /**
-     * One run of the policy: over at the deadline, or as soon as the belief moved too far, provided that at least as much time
-     * is left as was spent, so that a belief that never rests cannot keep a plan from being finished.
+     * One run of the policy: over at the deadline, or when its belief is out of date. That is so at once if it is about what is
+     * not the case any more, such as another episode or table; and if the belief moved too far, as long as a useful share of
+     * the limit is left. Only a run that had its share of the limit is broken off because of that, so that a belief that never
+     * rests still gets a plan.
      */
     private final class Attempt implements Deadline {
         private final Job job;
         private final Snapshot at;
         private final long start = nanoClock.getAsLong();
         private Snapshot compared;
+        private boolean moved;
+        private boolean pointless;
         private boolean over;
 
         Attempt(Job job, Snapshot at) {
@@ -121,23 +139,25 @@ final class Planner implements AutoCloseable {
             this.compared = at;
         }
 
-        boolean worthAnother() {
-            return job.left() > nanoClock.getAsLong() - start;
-        }
-
         @Override
         public synchronized boolean passed() {
-            over = over || job.over() || moved() && worthAnother();
+            over = over || job.over() || outOfDate() && (pointless || hadItsShare());
             return over;
         }
 
-        private boolean moved() {
+        private boolean hadItsShare() {
+            return nanoClock.getAsLong() - start >= job.limit / ATTEMPTS;
+        }
+
+        /** Whether to plan again, if there is any time. */
+        synchronized boolean outOfDate() {
             Snapshot now = newest.get();
-            if (now == compared) {
-                return false;
+            if (now != compared) {
+                compared = now;
+                pointless = !at.stillMeant(now);
+                moved = replan.due(at.belief(), now.belief());
             }
-            compared = now;
-            return replan.due(at.belief(), now.belief());
+            return pointless || moved && job.worthAnother();
         }
     }
 

@@ -22,6 +22,8 @@ final class Service implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Service.class);
     private static final WireMessage.Envelope NOBODY = new WireMessage.Envelope(null, "", null);
     private static final long HEARTBEAT_NANOS = 1_000_000_000;
+    /** So many messages of the stream are read before the others' turn. */
+    private static final int READ = 200;
 
     private final Session session;
     private final Welcome welcome;
@@ -33,19 +35,14 @@ final class Service implements AutoCloseable {
     private final Planner planner;
     private final Decisions decisions;
     private final Vitals vitals;
+    private final Inbox inbox = new Inbox();
     private final StreamQueue queue;
     private volatile Snapshot published;
     /** The envelope of the message that is being handled, as far as it could be read. */
     private WireMessage.Envelope about = NOBODY;
     private long lastBeat;
     /** What the last episode was closed with, for a client that did not get it and asks again; null if none was. */
-    private Summary summary;
-
-    private record Summary(WireMessage.Envelope asked, String reply) {
-        boolean isOf(WireMessage.Envelope again) {
-            return asked.id() != null && asked.id().equals(again.id()) && asked.source().equals(again.source());
-        }
-    }
+    private Recovery.Closed closed;
 
     /**
      * @param log receives what is applied and answered; null for none
@@ -70,64 +67,82 @@ final class Service implements AutoCloseable {
         this.lastBeat = nanoClock.getAsLong();
     }
 
-    /** In the episode that is under way so many decisions were answered before. */
-    void restore(long answered) {
+    /** In the episode that is under way so many decisions were answered before; {@code last} is how the last one was closed. */
+    void restore(long answered, Recovery.Closed last) {
         decisions.restore(answered);
+        closed = last;
     }
 
     // ---- messages ------------------------------------------------------------------------------------------------
 
     /** A request, which is answered. */
     void command(Client client, byte[] body) {
-        long nanos = nanoClock.getAsLong();
+        Inbox.Received received = received(body);
         vitals.count("requests");
         guarded(client, () -> {
-            WireMessage message = decode(body);
+            WireMessage message = decode(received);
             if (message instanceof WireMessage.Hello) {
                 answer(client, welcome.reply(message.envelope().id(), session.table()));
             } else if (message instanceof WireMessage.Decide decide) {
                 session.episode();
                 decisions.decide(client, decide);
             } else {
-                apply(message, body, client, nanos);
+                apply(message, received, client);
             }
         });
     }
 
+    /** Whether more of the stream should be taken. */
+    boolean hasRoom() {
+        return inbox.hasRoom();
+    }
+
     /** A message that is not answered; it waits until {@link #work}. */
     void stream(byte[] body) {
-        long nanos = nanoClock.getAsLong();
         vitals.count("streamed");
+        inbox.add(received(body));
+    }
+
+    private Inbox.Received received(byte[] body) {
+        return new Inbox.Received(body, nanoClock.getAsLong(), clock.getAsDouble());
+    }
+
+    private void read(Inbox.Received received) {
         guarded(null, () -> {
-            WireMessage message = decode(body);
+            WireMessage message = decode(received);
             if (message instanceof WireMessage.Hello || message instanceof WireMessage.Decide
                     || message instanceof WireMessage.State) {
                 throw new WireException(WireCode.BAD_TYPE, "type", "a question cannot be answered here; expected it on the "
                         + "command socket");
-            } else if (!queue.add(message, body, nanos)) {
+            } else if (!queue.add(message, received)) {
                 throw new WireException(WireCode.BUSY, "", "too many messages are waiting");
             }
             vitals.shed(queue.shed());
         });
     }
 
-    /** Applies messages of the stream for at most so long; whether any is left. */
+    /** Reads some messages of the stream, and applies what was read for at most so long; whether any is left. */
     boolean work(long nanos) {
+        for (int left = Math.min(READ, inbox.size()); left > 0; left--) {
+            read(inbox.poll());
+        }
         long start = nanoClock.getAsLong();
         while (queue.size() > 0 && nanoClock.getAsLong() - start < nanos) {
             StreamQueue.Waiting waiting = queue.poll();
             guarded(null, () -> {
                 about = waiting.message().envelope();
-                apply(waiting.message(), waiting.raw(), null, waiting.nanos());
+                apply(waiting.message(), waiting.received(), null);
             });
         }
-        return queue.size() > 0;
+        return queue.size() > 0 || inbox.size() > 0;
     }
 
-    private WireMessage decode(byte[] body) {
-        WireMessage message = Messages.decode(body);
+    private WireMessage decode(Inbox.Received received) {
+        WireMessage message = Messages.decode(received.body());
         about = message.envelope();
-        vitals.sources().seen(about.source(), clock.getAsDouble());
+        if (message instanceof WireMessage.Heard || message instanceof WireMessage.Pointed || message instanceof WireMessage.SceneChange) {
+            vitals.sources().seen(about.source(), received.at());
+        }
         return message;
     }
 
@@ -156,12 +171,12 @@ final class Service implements AutoCloseable {
         refuse(null, new WireMessage.Envelope(null, topic, null), e);
     }
 
-    private void apply(WireMessage message, byte[] raw, Client client, long nanos) {
+    private void apply(WireMessage message, Inbox.Received received, Client client) {
         double at = clock.getAsDouble();
-        Session.Outcome outcome = session.apply(message, at, after -> {
+        Session.Outcome outcome = session.apply(message, received.at(), at, after -> {
             if (log != null) {
                 Snapshot s = after.after();
-                log.applied(at, raw, s.version(), s.belief(), client == null ? null : reply(message, after));
+                log.applied(at, received.at(), received.body(), s.version(), s.belief(), client == null ? null : reply(message, after));
             }
         });
         if (outcome.applied()) {
@@ -176,7 +191,7 @@ final class Service implements AutoCloseable {
             answer(client, reply(message, outcome));
         }
         publish(message, outcome, at);
-        vitals.applied(nanoClock.getAsLong() - nanos);
+        vitals.applied(nanoClock.getAsLong() - received.nanos());
         if (message instanceof WireMessage.End && outcome.applied()) {
             decisions.end();
         } else if (message instanceof WireMessage.Begin && outcome.applied()) {
@@ -190,12 +205,17 @@ final class Service implements AutoCloseable {
         if (message instanceof WireMessage.State) {
             return Replies.state(re, now.belief(), now.version(), now.episode(), vitals.counters());
         } else if (message instanceof WireMessage.End && outcome.applied()) {
-            summary = new Summary(message.envelope(), Replies.summary(re, now.belief(), now.acts(), now.version(), now.episode()));
-            return summary.reply;
-        } else if (message instanceof WireMessage.End && summary != null && summary.isOf(message.envelope())) {
-            return summary.reply;
+            closed = new Recovery.Closed(message.envelope(), now);
+            return summary(closed);
+        } else if (message instanceof WireMessage.End && closed != null && closed.by(message.envelope())) {
+            return summary(closed);
         }
         return Replies.ok(re, now.version(), outcome.remarks());
+    }
+
+    private static String summary(Recovery.Closed closed) {
+        Snapshot then = closed.after();
+        return Replies.summary(closed.asked().id(), then.belief(), then.acts(), then.version(), then.episode());
     }
 
     private void publish(WireMessage message, Session.Outcome outcome, double at) {
@@ -278,7 +298,8 @@ final class Service implements AutoCloseable {
     }
 
     private void beat(double now) {
-        outbox.publish(Topics.HEARTBEAT, () -> vitals.heartbeat(now, published, queue.size(), queue.bytes()));
+        outbox.publish(Topics.HEARTBEAT, () -> vitals.heartbeat(now, published, inbox.size() + queue.size(),
+                inbox.bytes() + queue.bytes()));
         for (String source : vitals.sources().silent(now, sourceTimeout)) {
             LOG.warn("source {} has been silent for {} s", source, sourceTimeout);
             outbox.publish(Topics.ERROR, () -> Events.silent(source, vitals.sources().lastSeen().get(source), now));
@@ -292,6 +313,14 @@ final class Service implements AutoCloseable {
 
     @Override
     public void close() {
+        int left = queue.owed() + inbox.size();
+        if (left > 0) {
+            LOG.warn("{} messages of the stream were not applied", left);
+            WireException lost = new WireException(WireCode.BUSY, "", left + " messages of the stream were not applied before the "
+                    + "bridge shut down");
+            log(() -> log.replied(clock.getAsDouble(), Replies.error(lost)));
+            refuse(null, NOBODY, lost);
+        }
         decisions.abandon(new WireException(WireCode.BUSY, "", "the bridge is shutting down"));
         planner.close();
     }

@@ -19,11 +19,14 @@ import java.util.function.UnaryOperator;
 
 /**
  * Applies messages to a belief in the order in which they come. A message that cannot be used changes nothing. What comes of
- * a sequence of messages follows from the messages and the times at which they came alone. Used by one thread.
+ * a sequence of messages follows from the messages and the times at which they came and were applied alone. Used by one thread.
  */
 public final class Session {
     /** When a message comes of which it is not known when it came: its {@code t} is then not looked at. */
     public static final double TIMELESS = Double.NaN;
+
+    /** Beliefs that differ by less did not move. */
+    private static final double ROUNDING = 1e-9;
 
     private final HandoverDomain domain;
     private final double maxAge;
@@ -100,30 +103,36 @@ public final class Session {
         return now.snapshot;
     }
 
+    /** Applies a message that did not have to wait. */
+    public Outcome apply(WireMessage message, double arrival, Journal journal) {
+        return apply(message, arrival, arrival, journal);
+    }
+
     /**
      * Applies a message that moves the belief or asks for it.
      *
-     * @param arrival when it came, Unix seconds; or {@link #TIMELESS}
+     * @param received when it came, Unix seconds; or {@link #TIMELESS}
+     * @param applied when its turn came, likewise; earlier than {@code received} only if the clock was set back meanwhile
      * @throws WireException if it cannot be used
      */
-    public Outcome apply(WireMessage message, double arrival, Journal journal) {
+    public Outcome apply(WireMessage message, double received, double applied, Journal journal) {
         WireMessage.Envelope envelope = message.envelope();
         if (message instanceof WireMessage.State) {
             return new Outcome(episode(), Replies.Remarks.NONE, false);
-        } else if (seen.contains(envelope)) {
-            return new Outcome(now.snapshot, Replies.Remarks.NONE, false);
         } else if (message instanceof WireMessage.Heard heard && !heard.complete()) {
             return new Outcome(episode(), new Replies.Remarks(false, unknown(heard.speech(domain.vocabulary())), false), false);
+        } else if (seen.contains(message)) {
+            return new Outcome(now.snapshot, Replies.Remarks.NONE, false);
         }
-        Moment moment = moment(envelope, arrival);
-        Stage before = arrival < latest && now.timeline != null
+        Moment moment = moment(envelope, Math.min(received, applied));
+        Stage before = applied < latest && now.timeline != null
                 ? new Stage(now.timeline.timeless(), now.table, now.snapshot) : now;
         Stage after = stage(message, before, moment);
-        Outcome outcome = new Outcome(after.snapshot, remarks(message, after.snapshot), true);
+        Outcome outcome = new Outcome(after.snapshot, remarks(message, before.snapshot, after.snapshot), true);
         journal.applying(outcome);
         now = after;
-        latest = arrival;
-        seen.add(envelope);
+        latest = applied;
+        seen.add(message);
         return outcome;
     }
 
@@ -177,11 +186,12 @@ public final class Session {
     }
 
     private Stage change(WireMessage.SceneChange message, Stage before, Moment at) {
-        Scene table = Table.after(Frames.toTable(message, domain.spec()), before.table);
+        Scene there = before.timeline == null ? before.table : before.timeline.now().now().scene();
+        Scene table = Table.after(Frames.toTable(message, domain.spec()), before.table, there);
         if (before.timeline == null) {
             return new Stage(null, table, before.snapshot.with(before.snapshot.belief()));
         }
-        Scene left = Table.left(before.timeline.now().now().scene(), before.table, table);
+        Scene left = Table.left(there, message, table);
         if (left.size() == 0) {
             throw new WireException(WireCode.BAD_FIELD, "removed", "expected at least one object that stays");
         }
@@ -201,10 +211,12 @@ public final class Session {
         }
     }
 
-    private Replies.Remarks remarks(WireMessage message, Snapshot after) {
+    private Replies.Remarks remarks(WireMessage message, Snapshot before, Snapshot after) {
         boolean sensed = message instanceof WireMessage.Heard || message instanceof WireMessage.Pointed;
         List<String> unknown = message instanceof WireMessage.Heard heard ? unknown(heard.speech(domain.vocabulary())) : List.of();
-        return new Replies.Remarks(sensed && after.belief().uninformative(), unknown, true);
+        boolean nothing = sensed && after.belief().uninformative()
+                && Simplex.l1(before.belief().probabilities(), after.belief().probabilities()) < ROUNDING;
+        return new Replies.Remarks(nothing, unknown, true);
     }
 
     private static List<String> unknown(Speech speech) {

@@ -1,6 +1,8 @@
 package handover.bridge;
 
 import handover.belief.HandoverBelief;
+import handover.domain.Answer;
+import handover.domain.Task;
 
 /**
  * What is believed at one moment of a session. Immutable, thread safe.
@@ -17,6 +19,17 @@ public record Snapshot(long version, long episode, long seed, HandoverBelief bel
     /** Whether the task is done, so that there is nothing to decide. */
     boolean over() {
         return belief.task().done();
+    }
+
+    /**
+     * Whether what is planned for this can still be meant: in the same episode the robot has done nothing since, and the table
+     * has the same objects, wherever they are.
+     */
+    boolean stillMeant(Snapshot now) {
+        Task then = belief.task();
+        Task task = now.belief.task();
+        return this == now || episode == now.episode && Table.sameObjects(then.scene(), task.scene())
+                && then.on(task.scene()).answered(Answer.NONE).equals(task.answered(Answer.NONE));
     }
 
     /** The next version. */

@@ -22,29 +22,32 @@ final class StreamQueue {
      * A message that waits.
      *
      * @param number in the order of arrival
-     * @param raw its bytes
-     * @param nanos when it was taken from the socket
+     * @param received its bytes, and when they came
      */
-    record Waiting(long number, WireMessage message, byte[] raw, long nanos) {}
+    record Waiting(long number, WireMessage message, Inbox.Received received) {
+        private int length() {
+            return received.body().length;
+        }
+    }
 
     StreamQueue(int capacity) {
         this.capacity = capacity;
     }
 
     /** Adds a message; false if there is no room for it even without what may be lost. */
-    boolean add(WireMessage message, byte[] raw, long nanos) {
-        while (size() >= capacity || size() > 0 && bytes + raw.length > MOST_BYTES) {
+    boolean add(WireMessage message, Inbox.Received received) {
+        while (size() >= capacity || size() > 0 && bytes + received.body().length > MOST_BYTES) {
             Waiting oldest = sheddable.pollFirst();
             if (oldest == null) {
                 boolean lost = mayBeLost(message);
                 shed += lost ? 1 : 0;
                 return lost;
             }
-            bytes -= oldest.raw.length;
+            bytes -= oldest.length();
             shed++;
         }
-        (mayBeLost(message) ? sheddable : kept).addLast(new Waiting(next++, message, raw, nanos));
-        bytes += raw.length;
+        (mayBeLost(message) ? sheddable : kept).addLast(new Waiting(next++, message, received));
+        bytes += received.body().length;
         return true;
     }
 
@@ -57,12 +60,17 @@ final class StreamQueue {
         Waiting a = kept.peekFirst();
         Waiting b = sheddable.peekFirst();
         Waiting first = a == null || b != null && b.number < a.number ? sheddable.pollFirst() : kept.pollFirst();
-        bytes -= first == null ? 0 : first.raw.length;
+        bytes -= first == null ? 0 : first.length();
         return first;
     }
 
     int size() {
         return kept.size() + sheddable.size();
+    }
+
+    /** How many of them may not be lost. */
+    int owed() {
+        return kept.size();
     }
 
     long bytes() {

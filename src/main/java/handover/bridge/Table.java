@@ -11,6 +11,9 @@ import handover.math.Vector3;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /** Changes of what is on the table, checked. Stateless. */
 final class Table {
@@ -23,9 +26,10 @@ final class Table {
      * The table after a change whose positions are in its own frame.
      *
      * @param known what is on the table as far as anybody said, with what was handed over since
+     * @param present what is on it without that; an object that was handed over may be added again
      * @throws WireException for an unknown object, or one that cannot be where it is said to be
      */
-    static Scene after(WireMessage.SceneChange change, Scene known) {
+    static Scene after(WireMessage.SceneChange change, Scene known, Scene present) {
         HandoverDomain domain = known.domain();
         List<TableObject> objects = new ArrayList<>(known.objects());
         for (int k = 0; k < change.removed().size(); k++) {
@@ -41,7 +45,8 @@ final class Table {
         }
         for (k = 0; k < change.added().size(); k++) {
             TableObject added = change.added().get(k);
-            if (objects.stream().anyMatch(o -> o.name().equals(added.name()))) {
+            boolean back = present.indexOf(added.name()) < 0 && objects.removeIf(o -> o.name().equals(added.name()));
+            if (!back && objects.stream().anyMatch(o -> o.name().equals(added.name()))) {
                 throw new WireException(WireCode.BAD_FIELD, "added[" + k + "].name", "expected a name that no other object has, got "
                         + added.name());
             }
@@ -62,13 +67,19 @@ final class Table {
      * The part of a table that is left in an episode: what was on its table and still is, as it is now, and what was added.
      *
      * @param before the table of the episode
-     * @param known all objects before the change
-     * @param after all objects after it
+     * @param after all objects after the change
      */
-    static Scene left(Scene before, Scene known, Scene after) {
+    static Scene left(Scene before, WireMessage.SceneChange change, Scene after) {
+        Set<String> added = change.added().stream().map(TableObject::name).collect(Collectors.toSet());
         List<TableObject> objects = after.objects().stream()
-                .filter(o -> before.indexOf(o.name()) >= 0 || known.indexOf(o.name()) < 0).toList();
+                .filter(o -> before.indexOf(o.name()) >= 0 || added.contains(o.name())).toList();
         return objects.equals(before.objects()) ? before : before.domain().scene(objects);
+    }
+
+    /** Whether two tables have the same objects in the same order, wherever they are. */
+    static boolean sameObjects(Scene one, Scene other) {
+        return one == other || one.size() == other.size() && IntStream.range(0, one.size()).allMatch(i ->
+                one.objects().get(i).at(other.objects().get(i).position()).equals(other.objects().get(i)));
     }
 
     private static int indexOf(String name, List<TableObject> objects, String path) {

@@ -109,6 +109,9 @@ final class BridgeCommand implements Callable<Integer> {
         if (domain == null && resume == null) {
             throw new UsageException("expected the name or file of a domain; see handover bridge --help");
         }
+        if (resume != null && !log.isEmpty()) {
+            throw new UsageException("--log and --resume: expected one of them; a session that goes on is logged where it was");
+        }
         settle();
         check();
         Solver chosen = Solvers.parse(solver);

@@ -38,6 +38,13 @@ final class Progress {
         at(done + 1);
     }
 
+    /** What is done before the next step, which may take long; shown on a terminal only. */
+    void note(String text) {
+        if (console.live()) {
+            show(text);
+        }
+    }
+
     /** So many are done now. */
     void at(long now) {
         done = now;

@@ -20,6 +20,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -79,8 +80,8 @@ final class Solve implements Callable<Integer> {
         int steps = maxSteps == 0 ? TabularEpisodes.horizon(pomdp.discount(), TAIL) : maxSteps;
         console.out().printf(Locale.ROOT, "%s: %d states, %d acts, %d observations, discount %s%n%d episodes of at most %d acts, seed %d%n%n",
                 file, pomdp.states().size(), pomdp.acts().size(), pomdp.observations().size(), pomdp.discount(), episodes, steps, seed);
-        TextTable table = new TextTable(LONGEST_NAME, List.of("solver", "return", "95% interval", "worth at least", "at most", "steps",
-                "offline s", "ms p50/p99", "first act"));
+        TextTable table = table(players, pomdp);
+        console.out().print(table.text());
         long unforeseen = 0;
         Progress progress = new Progress(console, "episodes", 0, (long) episodes * players.size());
         try {
@@ -90,13 +91,24 @@ final class Solve implements Callable<Integer> {
         } finally {
             progress.end();
         }
-        console.out().print(table.text() + """
+        console.out().print("""
 
                 return        sum of rewards, those of each later step counting less: the mean over the episodes
                 worth         what the solver can promise at the start: the value of the best policy lies in between
                 """);
         console.out().print(unforeseen == 0 ? "" : unforeseen + " observations were of probability 0 and only moved the belief on\n");
         return Main.FINE;
+    }
+
+    /** Only its header; wide enough for most rows, because each is printed when it is known. */
+    private static TextTable table(List<TabularSolver> players, TabularPomdp pomdp) {
+        return new TextTable(LONGEST_NAME, List.of("solver", "return", "95% interval", "worth at least", "at most", "steps", "offline s",
+                "ms p50/p99", "first act"), new int[] {longest(players.stream().map(TabularSolver::name)), 8, 20, 0, 8, 6, 0, 13,
+                    longest(pomdp.acts().stream())});
+    }
+
+    private static int longest(Stream<String> texts) {
+        return texts.mapToInt(String::length).max().orElse(0);
     }
 
     private List<TabularSolver> players() {
@@ -110,10 +122,11 @@ final class Solve implements Callable<Integer> {
         return players;
     }
 
-    /** Adds a row and gives the number of unforeseen observations. */
+    /** Adds and prints a row, and gives the number of unforeseen observations. */
     private long play(TabularSolver player, TabularPomdp pomdp, int steps, TextTable table, Progress progress)
             throws InterruptedException {
         long before = console.nanoClock().getAsLong();
+        progress.note(player.name() + " is solving the model");
         TabularPolicy policy = solved(player, pomdp);
         double offline = (console.nanoClock().getAsLong() - before) / 1e9;
         Supplier<Deadline> deadlines = Deadlines.after(deadlineMs, console.nanoClock());
@@ -132,6 +145,8 @@ final class Solve implements Callable<Integer> {
                 : number(mean.low()) + " to " + number(mean.high()), number(first.lower()), number(first.upper()),
                 String.format(Locale.ROOT, "%.1f", acts), String.format(Locale.ROOT, "%.1f", offline),
                 milliseconds(nanos, 0.5) + "/" + milliseconds(nanos, 0.99), pomdp.acts().get(first.act())));
+        progress.end();
+        console.out().print(table.lastLine());
         return played.stream().mapToLong(TabularEpisodes.Outcome::unforeseen).sum();
     }
 

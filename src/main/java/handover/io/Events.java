@@ -86,7 +86,8 @@ public final class Events {
 
     /** A source has not been heard for long. */
     public static String silent(String source, double lastSeen, double t) {
-        return Json.line(Replies.envelope("silent", null).put("source", source).put("last_seen", lastSeen).put("t", t));
+        return Json.line(Replies.envelope("silent", null).put("code", "silent").put("message", "nothing was sensed by "
+                + source + " for " + Math.round(t - lastSeen) + " s").put("source", source).put("last_seen", lastSeen).put("t", t));
     }
 
     /** A message that could not be used. */

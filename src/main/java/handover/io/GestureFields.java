@@ -3,8 +3,13 @@ package handover.io;
 import handover.math.Vector3;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
 
-/** The fields of a gesture: where hand and shoulder are, as two positions or as joints of a skeleton. */
+/**
+ * The fields of a gesture: where hand and shoulder are, as two positions or as joints of a skeleton. Joints that are null are not
+ * tracked, as if they were missing; of two arms one may be unusable.
+ */
 final class GestureFields {
     private static final String METRES = "number of metres";
     private static final String BEST = "best";
@@ -30,17 +35,24 @@ final class GestureFields {
         }
         String side = f.has("side") ? f.oneOf("side", List.of("left", "right", BEST)) : BEST;
         Fields joints = f.object("joints");
-        Joints names = Joints.of(joints.node().fieldNames());
+        Joints names = Joints.of(joints.node().properties().stream().filter(j -> !j.getValue().isNull()).map(Map.Entry::getKey));
         if (!side.equals(BEST)) {
             return List.of(arm(joints, names, side));
         }
+        List<String> tracked = Stream.of("left", "right").filter(names::hasArm).toList();
         List<WireMessage.Arm> arms = new ArrayList<>();
-        for (String either : List.of("left", "right")) {
-            if (names.hasArm(either)) {
+        FieldException unusable = null;
+        for (String either : tracked.isEmpty() ? List.of("right") : tracked) {
+            try {
                 arms.add(arm(joints, names, either));
+            } catch (FieldException e) {
+                unusable = unusable == null ? e : unusable;
             }
         }
-        return arms.isEmpty() ? List.of(arm(joints, names, "right")) : List.copyOf(arms);
+        if (arms.isEmpty()) {
+            throw unusable;
+        }
+        return List.copyOf(arms);
     }
 
     private static WireMessage.Arm arm(Fields joints, Joints names, String side) {

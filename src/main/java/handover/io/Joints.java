@@ -2,11 +2,11 @@ package handover.io;
 
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /**
  * The joints of an arm under the names that skeleton trackers use: Kinect ({@code ShoulderLeft}), Azure Kinect
@@ -21,9 +21,9 @@ record Joints(Map<String, String> names) {
     private static final List<String> HANDS = List.of("hand", "wrist");
 
     /** The joints of a skeleton by its names; others than those of arms are let be. */
-    static Joints of(Iterator<String> all) {
+    static Joints of(Stream<String> all) {
         Map<String, String> names = new HashMap<>();
-        all.forEachRemaining(name -> {
+        all.forEach(name -> {
             String standard = standard(name);
             if (standard != null) {
                 names.putIfAbsent(standard, name);

@@ -61,7 +61,7 @@ final class JsonText {
         try {
             JsonNode tree = mapper.readTree(parser);
             if (tree == null) {
-                throw Place.of(file).error("the file is empty");
+                throw Place.of(file).error("expected a JSON value, got nothing");
             }
             if (parser.nextToken() != null) {
                 throw new Malformed(parser.currentTokenLocation(), text, file).error("the end of the file");

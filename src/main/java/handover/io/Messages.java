@@ -21,6 +21,9 @@ public final class Messages {
     private static final double LONGEST_DEADLINE = 3_600_000;
     /** An id or the name of a source may have so many characters. */
     private static final int LONGEST_NAME = 200;
+    /** A transcript may have so many characters, and speech so many alternatives: what is longer would hold up a decision. */
+    private static final int LONGEST_TRANSCRIPT = 2000;
+    private static final int MOST_ALTERNATIVES = 100;
     private static final Map<String, BiFunction<WireMessage.Envelope, Fields, WireMessage>> TYPES = new LinkedHashMap<>();
 
     private static final Map<Class<? extends WireMessage>, String> NAMES = Map.of(
@@ -110,11 +113,15 @@ public final class Messages {
 
     /** A short text, or null if it is missing. */
     private static String name(Fields f, String key) {
-        String name = f.textOrNull(key);
-        if (name != null && name.length() > LONGEST_NAME) {
-            throw f.wrong(key, "at most " + LONGEST_NAME + " characters");
+        return f.has(key) ? atMost(LONGEST_NAME, f, key) : null;
+    }
+
+    private static String atMost(int longest, Fields f, String key) {
+        String text = f.text(key);
+        if (text.length() > longest) {
+            throw f.wrong(key, "at most " + longest + " characters");
         }
-        return name;
+        return text;
     }
 
     private static Map<String, Double> prior(Fields f) {
@@ -146,16 +153,17 @@ public final class Messages {
     private static WireMessage speech(WireMessage.Envelope envelope, Fields f) {
         boolean complete = !f.has("final") || f.flag("final");
         if (!f.has("alternatives")) {
-            return new WireMessage.Heard(envelope, List.of(new WireMessage.Reading(f.text("text"), 1)), complete);
+            return new WireMessage.Heard(envelope, List.of(new WireMessage.Reading(atMost(LONGEST_TRANSCRIPT, f, "text"), 1)), complete);
         }
         if (f.has("text")) {
             throw f.wrong("text", "either text or alternatives");
         }
-        List<WireMessage.Reading> readings = f.objects("alternatives").stream().map(a -> new WireMessage.Reading(
-                a.text("transcript"), a.number("confidence", 0, 1, "a confidence"))).toList();
-        if (readings.isEmpty()) {
-            throw f.wrong("alternatives", "at least one alternative");
+        List<Fields> alternatives = f.objects("alternatives");
+        if (alternatives.isEmpty() || alternatives.size() > MOST_ALTERNATIVES) {
+            throw f.wrong("alternatives", "1 to " + MOST_ALTERNATIVES + " alternatives");
         }
+        List<WireMessage.Reading> readings = alternatives.stream().map(a -> new WireMessage.Reading(
+                atMost(LONGEST_TRANSCRIPT, a, "transcript"), a.number("confidence", 0, 1, "a confidence"))).toList();
         return new WireMessage.Heard(envelope, readings, complete);
     }
 

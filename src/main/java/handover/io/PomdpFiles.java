@@ -15,6 +15,9 @@ import java.util.stream.IntStream;
 /**
  * Standard .POMDP files (A. R. Cassandra's format): all of it is read, and what is written is read back as exactly the same model.
  * Thread safe.
+ *
+ * <p>Wider than the grammar: the statements may come in any order as long as the sizes come before what they are the sizes of, so
+ * {@code start} may stand at the end; and a word of the format may be a name where that is not ambiguous. Such names are not written.
  */
 public final class PomdpFiles {
     private PomdpFiles() {}
@@ -125,9 +128,7 @@ public final class PomdpFiles {
     }
 
     private static boolean nameable(List<String> names) {
-        return names.stream().allMatch(n -> n.matches("[A-Za-z][A-Za-z0-9_.-]*"))
-                && names.stream().noneMatch(n -> List.of("discount", "values", "states", "actions", "observations", "start", "T", "O",
-                        "R", "include", "exclude", "uniform", "identity", "reset").contains(n));
+        return names.stream().allMatch(PomdpNames::nameable);
     }
 
     private static List<String> names(List<String> names) {

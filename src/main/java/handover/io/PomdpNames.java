@@ -4,12 +4,18 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 
 /** The states, acts or observations of a .POMDP file, to be called by name or number. Immutable. */
 final class PomdpNames {
     private static final int NEAR = 2;
     private static final int SHOWN = 6;
+    private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_-]*");
+    /** What the lexer of pomdp-solve takes for something else. */
+    private static final Set<String> WORDS = Set.of("discount", "values", "states", "actions", "observations", "start", "T", "O", "R",
+            "include", "exclude", "uniform", "identity", "reset", "reward", "cost");
 
     private final String what;
     private final List<String> names;
@@ -20,6 +26,11 @@ final class PomdpNames {
         this.what = what;
         this.names = List.copyOf(names);
         names.forEach(n -> index.put(n, index.size()));
+    }
+
+    /** Whether every program that reads the format takes this for a name. */
+    static boolean nameable(String name) {
+        return NAME.matcher(name).matches() && !WORDS.contains(name);
     }
 
     /** Reads a count or a list of names. */
@@ -37,8 +48,8 @@ final class PomdpNames {
         Map<String, PomdpTokens.Token> seen = new HashMap<>();
         while (!tokens.peek().end() && !PomdpParser.begins(tokens)) {
             PomdpTokens.Token name = tokens.next();
-            if (name.number() || name.is(":") || name.is("*")) {
-                throw tokens.bad(name, "the name of " + what);
+            if (!NAME.matcher(name.text()).matches()) {
+                throw tokens.bad(name, "the name of " + what + " (a letter, then letters, digits, _ and -)");
             } else if (seen.put(name.text(), name) != null) {
                 throw tokens.problem(name, "expected each name once, got \"" + name.text() + "\" twice");
             }

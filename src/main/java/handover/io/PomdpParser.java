@@ -3,6 +3,7 @@ package handover.io;
 import handover.tabular.TabularBuilder;
 import handover.tabular.TabularPomdp;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,6 +17,7 @@ import java.util.Set;
 final class PomdpParser {
     private static final Set<String> STATEMENTS = Set.of("discount", "values", "states", "actions", "observations", "start", "T", "O",
             "R");
+    private static final Set<String> LISTS = Set.of("start", "T", "O", "R");
     private static final int MOST_NAMES = 1_000_000;
 
     private final PomdpTokens tokens;
@@ -29,6 +31,14 @@ final class PomdpParser {
     private TabularBuilder to;
     /** Where each row of probabilities was last touched. */
     private final Map<TabularBuilder.BadRow, PomdpTokens.Token> touched = new HashMap<>();
+    /** Rows of T that are the start, which may still come, and their next states that were set since. */
+    private final Map<ResetRow, BitSet> resets = new HashMap<>();
+    /** The statement that began last; null at first. */
+    private PomdpTokens.Token latest;
+    /** How many numbers were read before that statement. */
+    private int numbers;
+
+    private record ResetRow(int act, int state) {}
 
     PomdpParser(String text, String file) {
         tokens = new PomdpTokens(text, file);
@@ -55,9 +65,14 @@ final class PomdpParser {
     private void statement() {
         PomdpTokens.Token word = tokens.peek();
         if (!begins(tokens)) {
+            if (word.number() && latest != null && LISTS.contains(latest.text())) {
+                throw tokens.problem(word, tooMany(word));
+            }
             throw tokens.bad(STATEMENTS.contains(word.text()) ? tokens.second() : word,
                     STATEMENTS.contains(word.text()) ? "\":\"" : "discount, values, states, actions, observations, start, T, O or R");
         }
+        latest = word;
+        numbers = tokens.numbers();
         boolean list = startList(tokens);
         tokens.next();
         String kind = list ? tokens.next().text() : "";
@@ -72,6 +87,13 @@ final class PomdpParser {
             }
             default -> preamble(word);
         }
+    }
+
+    /** Of a number where a statement should begin. */
+    private String tooMany(PomdpTokens.Token number) {
+        int taken = tokens.numbers() - numbers;
+        return "expected a statement, got \"" + number.text() + "\"; the " + latest.text() + " that began on line " + latest.line() + " takes "
+                + (taken == 0 ? "no number" : taken == 1 ? "1 number" : taken + " numbers") + ", this is one too many";
     }
 
     private void once(PomdpTokens.Token word) {
@@ -169,7 +191,15 @@ final class PomdpParser {
 
     private void transition(PomdpTokens.Token at) {
         prepare();
-        probabilities(at, TabularBuilder.Kind.TRANSITION, states, (a, s, next, p) -> to.transition(a, s, next, p));
+        probabilities(at, TabularBuilder.Kind.TRANSITION, states, (a, s, next, p) -> {
+            to.transition(a, s, next, p);
+            resets.computeIfPresent(new ResetRow(a, s), (row, set) -> with(set, next));
+        });
+    }
+
+    private static BitSet with(BitSet set, int i) {
+        set.set(i);
+        return set;
     }
 
     private void observation(PomdpTokens.Token at) {
@@ -191,9 +221,12 @@ final class PomdpParser {
             });
             return;
         }
+        if (row > -2 && kind == TabularBuilder.Kind.TRANSITION && tokens.take("reset")) {
+            each(kind, at, a, row, (i, s) -> resets.put(new ResetRow(i, s), new BitSet()));
+            return;
+        }
         int rows = row > -2 ? 1 : states.size();
-        double[][] matrix = matrix(rows, columns.size(), row == -2 && columns.size() == states.size(),
-                row > -2 && kind == TabularBuilder.Kind.TRANSITION);
+        double[][] matrix = matrix(rows, columns.size(), row == -2 && columns.size() == states.size());
         each(kind, at, a, row, (i, s) -> {
             for (int c = 0; c < columns.size(); c++) {
                 cell.set(i, s, c, matrix[rows == 1 ? 0 : s][c]);
@@ -214,7 +247,7 @@ final class PomdpParser {
         }
     }
 
-    private double[][] matrix(int rows, int columns, boolean identity, boolean reset) {
+    private double[][] matrix(int rows, int columns, boolean identity) {
         double[][] p = new double[rows][columns];
         if (tokens.take("uniform")) {
             for (double[] row : p) {
@@ -224,8 +257,6 @@ final class PomdpParser {
             for (int i = 0; i < rows; i++) {
                 p[i][i] = 1;
             }
-        } else if (reset && tokens.take("reset")) {
-            p[0] = start == null ? uniform(columns) : start.clone();
         } else {
             String words = identity ? ", or uniform or identity" : ", or uniform";
             for (int i = 0; i < rows; i++) {
@@ -280,9 +311,13 @@ final class PomdpParser {
     }
 
     private TabularPomdp finish() {
-        if (start != null) {
-            to.start(start);
-        }
+        double[] b0 = start == null ? uniform(states.size()) : start;
+        to.start(b0);
+        resets.forEach((row, set) -> {
+            for (int next = set.nextClearBit(0); next < b0.length; next = set.nextClearBit(next + 1)) {
+                to.transition(row.act, row.state, next, b0[next]);
+            }
+        });
         TabularBuilder.BadRow bad = to.badRow();
         if (bad != null) {
             PomdpTokens.Token where = bad.kind() == TabularBuilder.Kind.START ? given.get("start")

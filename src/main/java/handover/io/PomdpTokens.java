@@ -38,6 +38,7 @@ final class PomdpTokens {
     private final String file;
     private final List<Token> all = new ArrayList<>();
     private int at;
+    private int numbers;
 
     PomdpTokens(String text, String file) {
         this.file = file;
@@ -60,12 +61,22 @@ final class PomdpTokens {
                 while (i < text.length() && !Character.isWhitespace(text.charAt(i)) && ":#".indexOf(text.charAt(i)) < 0) {
                     i++;
                 }
-                all.add(new Token(text.substring(from, i), line, column));
+                add(new Token(text.substring(from, i), line, column));
             }
             line = c == '\n' ? line + 1 : line;
             column = c == '\n' ? 1 : column + i - from;
         }
         all.add(new Token("", line, column));
+    }
+
+    /** A sign may stand apart from its number: both are one word. */
+    private void add(Token t) {
+        Token sign = all.isEmpty() ? t : all.get(all.size() - 1);
+        if ((sign.is("-") || sign.is("+")) && t.number() && "+-".indexOf(t.text.charAt(0)) < 0) {
+            all.set(all.size() - 1, new Token(sign.text + t.text, sign.line, sign.column));
+        } else {
+            all.add(t);
+        }
     }
 
     Token peek() {
@@ -104,7 +115,13 @@ final class PomdpTokens {
         if (!Double.isFinite(value)) {
             throw bad(t, what);
         }
+        numbers++;
         return value;
+    }
+
+    /** How often {@link #number} or {@link #probability} gave one. */
+    int numbers() {
+        return numbers;
     }
 
     /** A number from 0 to 1, up to rounding. */

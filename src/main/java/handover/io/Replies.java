@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import handover.belief.HandoverBelief;
 import handover.domain.Act;
 import handover.domain.ActModel;
+import handover.domain.Scene;
 import handover.domain.Task;
 import handover.solver.Decision;
 import java.util.Comparator;
@@ -109,31 +110,32 @@ public final class Replies {
      * @param milliseconds that it took
      */
     public static String decision(HandoverBelief belief, Decision decision, double milliseconds) {
-        return Json.line(decisionTree(null, belief, decision, milliseconds));
+        return Json.line(decisionTree(null, belief, belief.scene(), decision, milliseconds));
     }
 
     /**
      * The same of a running bridge.
      *
+     * @param table where the objects are now
      * @param version of the belief at which it was made
      * @param fallback whether it is only what is always possible
      */
-    public static String decision(String re, HandoverBelief belief, Decision decision, double milliseconds, long version,
-            boolean fallback) {
-        return Json.line(decisionTree(re, belief, decision, milliseconds).put("belief_version", version)
+    public static String decision(String re, HandoverBelief belief, Scene table, Decision decision, double milliseconds,
+            long version, boolean fallback) {
+        return Json.line(decisionTree(re, belief, table, decision, milliseconds).put("belief_version", version)
                 .put("fallback", fallback));
     }
 
-    private static ObjectNode decisionTree(String re, HandoverBelief belief, Decision decision, double milliseconds) {
+    private static ObjectNode decisionTree(String re, HandoverBelief belief, Scene table, Decision decision, double milliseconds) {
         ObjectNode tree = envelope("decision", re);
         tree.setAll(act(decision.act()));
         ActModel model = belief.scene().model(decision.act());
         if (model != null && !model.say().isEmpty()) {
             tree.put("say", model.say());
         }
-        int target = decision.act().objects().size() == 1 ? belief.scene().indexOf(decision.act().objects().get(0)) : -1;
+        int target = decision.act().objects().size() == 1 ? table.indexOf(decision.act().objects().get(0)) : -1;
         if (target >= 0) {
-            tree.set("target", Json.list(belief.scene().objects().get(target).position()));
+            tree.set("target", Json.list(table.objects().get(target).position()));
         }
         tree.set("belief", Json.byObject(belief.scene(), belief.probabilities()));
         tree.set("human_belief", Json.byObject(belief.scene(), belief.human()));

@@ -33,6 +33,11 @@ final class SceneFields {
     private static TableObject object(Fields f) {
         ObjectNode tree = f.node().deepCopy();
         DomainFiles.addDefaultLabel(tree);
+        for (String key : Shape.fields(TableObject.class).keySet()) {
+            if (!tree.hasNonNull(key)) {
+                throw new FieldException(true, f.path() + "." + key, "this field is missing");
+            }
+        }
         Place place = Place.of("message");
         try {
             SHAPE.check(tree, TableObject.class, place);

@@ -19,13 +19,14 @@ public final class SessionLogReader implements Closeable {
      * A line after the first.
      *
      * @param at when, Unix seconds
+     * @param received when the message came, if it had to wait; else as {@code at}
      * @param message that was applied; null if none was
      * @param version of the belief after it
      * @param belief b after it, one entry for each object; not to be modified
      * @param human h after it, likewise
      * @param decision whether the line is a decision
      */
-    public record Entry(double at, WireMessage message, long version, double[] belief, double[] human, boolean decision) {}
+    public record Entry(double at, double received, WireMessage message, long version, double[] belief, double[] human, boolean decision) {}
 
     private SessionLogReader(LogLines lines) throws IOException {
         this.lines = lines;
@@ -62,10 +63,10 @@ public final class SessionLogReader implements Closeable {
             Fields f = new Fields(tree, "");
             double at = f.number("at");
             if (!f.has("message")) {
-                return new Entry(at, null, 0, null, null, f.has("decision"));
+                return new Entry(at, at, null, 0, null, null, f.has("decision"));
             }
-            return new Entry(at, Messages.decode(f.object("message").node()), f.whole("belief_version", 1, Long.MAX_VALUE),
-                    f.numbers("belief"), f.numbers("human_belief"), false);
+            return new Entry(at, f.has("received") ? f.number("received") : at, Messages.decode(f.object("message").node()),
+                    f.whole("belief_version", 1, Long.MAX_VALUE), f.numbers("belief"), f.numbers("human_belief"), false);
         } catch (FieldException e) {
             throw lines.wrong(e);
         } catch (WireException e) {

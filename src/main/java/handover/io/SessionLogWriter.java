@@ -5,48 +5,105 @@ import com.fasterxml.jackson.databind.util.RawValue;
 import handover.belief.HandoverBelief;
 import java.io.Closeable;
 import java.io.IOException;
-import java.io.OutputStream;
+import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /**
  * Writes the log of a bridge's session: each line with one write, so that a bridge that is killed tears at most the last one.
- * Each method throws {@link UncheckedIOException} if that fails. Used by one thread at a time.
+ * Each method throws {@link UncheckedIOException} if that fails, and leaves no part of its line behind. The file is locked: no
+ * other bridge can write to it. Used by one thread at a time.
  */
 public final class SessionLogWriter implements Closeable {
-    private final OutputStream out;
+    private final Path file;
+    private final FileChannel channel;
+    /** Of the whole lines, in bytes. */
+    private long length;
+    /** Whether part of a line may be behind them. */
+    private boolean torn;
 
-    private SessionLogWriter(OutputStream out) {
-        this.out = out;
+    private SessionLogWriter(Path file, FileChannel channel, long length) {
+        this.file = file;
+        this.channel = channel;
+        this.length = length;
+    }
+
+    private static SessionLogWriter open(Path file, long length, StandardOpenOption... options) throws IOException {
+        FileChannel channel = FileChannel.open(file, options);
+        try {
+            lock(file, channel);
+            return new SessionLogWriter(file, channel, length);
+        } catch (IOException e) {
+            channel.close();
+            throw e;
+        }
+    }
+
+    private static void lock(Path file, FileChannel channel) throws IOException {
+        FileLock lock;
+        try {
+            lock = channel.tryLock();
+        } catch (OverlappingFileLockException e) {
+            lock = null;
+        }
+        if (lock == null) {
+            throw new FileSystemException(file.toString(), null, "another bridge writes to this log");
+        }
     }
 
     /** A new log with this header. Throws if there is such a file already, which may be needed to go on after a crash. */
     public static SessionLogWriter create(Path file, SessionHeader header) throws IOException {
-        SessionLogWriter writer = new SessionLogWriter(NamedOutput.open(file, StandardOpenOption.CREATE_NEW));
+        SessionLogWriter writer = open(file, 0, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
         writer.write(header.json());
         return writer;
     }
 
-    /** A log that goes on after its first {@code length} bytes; what the file has beyond them is cut off. */
+    /**
+     * A log that goes on after its first {@code length} bytes; a torn line beyond them is cut off. Throws
+     * {@link FileSystemException} if another bridge writes to it, or has written to it since it was read.
+     */
     public static SessionLogWriter append(Path file, long length) throws IOException {
-        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
-            channel.truncate(length);
+        SessionLogWriter writer = open(file, length, StandardOpenOption.READ, StandardOpenOption.WRITE);
+        try {
+            writer.cut();
+            return writer;
+        } catch (IOException e) {
+            writer.close();
+            throw e;
         }
-        return new SessionLogWriter(NamedOutput.open(file, StandardOpenOption.APPEND));
+    }
+
+    private void cut() throws IOException {
+        InputStream beyond = Channels.newInputStream(channel.position(length));
+        for (int b = beyond.read(); b >= 0; b = beyond.read()) {
+            if (b == '\n') {
+                throw new FileSystemException(file.toString(), null, "another bridge wrote to this log after it was read");
+            }
+        }
+        channel.truncate(length);
     }
 
     /**
      * A message that is applied, with what is believed then.
      *
-     * @param at when it came, Unix seconds
+     * @param at when it is applied, Unix seconds
+     * @param received when it came, likewise
      * @param message as {@link Messages#decode} took it
      * @param reply on one line; null for none
      */
-    public void applied(double at, byte[] message, long version, HandoverBelief belief, String reply) {
+    public void applied(double at, double received, byte[] message, long version, HandoverBelief belief, String reply) {
         ObjectNode tree = Json.object().put("at", at);
+        if (received != at) {
+            tree.put("received", received);
+        }
         tree.putRawValue("message", raw(JsonText.decode(message, "message")));
         tree.put("belief_version", version);
         tree.set("belief", Json.list(belief.probabilities()));
@@ -70,15 +127,36 @@ public final class SessionLogWriter implements Closeable {
     }
 
     private void write(ObjectNode tree) {
+        ByteBuffer line = ByteBuffer.wrap((Json.line(tree) + "\n").getBytes(StandardCharsets.UTF_8));
         try {
-            out.write((Json.line(tree) + "\n").getBytes(StandardCharsets.UTF_8));
+            mend();
+            torn = true;
+            long end = length;
+            while (line.hasRemaining()) {
+                end += channel.write(line, end);
+            }
+            length = end;
+            torn = false;
         } catch (IOException e) {
-            throw new UncheckedIOException(e);
+            try {
+                mend();
+            } catch (IOException again) {
+                e.addSuppressed(again);
+            }
+            throw new UncheckedIOException(NamedOutput.named(file, e));
+        }
+    }
+
+    /** Until this succeeds nothing more can be written. */
+    private void mend() throws IOException {
+        if (torn) {
+            channel.truncate(length);
+            torn = false;
         }
     }
 
     @Override
     public void close() throws IOException {
-        out.close();
+        channel.close();
     }
 }

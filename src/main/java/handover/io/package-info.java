@@ -20,5 +20,9 @@
  * whoever reads acts, beliefs and measures need not know of time; only {@code replay} must, because the belief after a step is that of the
  * moment at which the next act started. Rejected: a second format, or a list of events, from which every reader would have to find the
  * steps again.
+ *
+ * <p>2026-11-22, .POMDP files whose {@code start} comes late. A row that is {@code reset} is filled when the file ends, in the next states that
+ * were not set since, so that the place of {@code start} does not matter. Rejected: to refuse a {@code start} after T, O and R, because such
+ * files were read so far; and to take the start as it is known at the row, which made a late one silently uniform.
  */
 package handover.io;

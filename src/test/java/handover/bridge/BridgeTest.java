@@ -126,7 +126,7 @@ class BridgeTest {
             {'v':1,'type':'scene','objects':[{'name':'red_ball','position':[0,'x',0]}]} | bad_field | objects[0].position[1]
             {'v':1,'type':'scene','objects':[{'name':'red_ball','position':[0,1e9,0]}]} | bad_field | objects[0].position[1]
             {'v':1,'type':'scene','objects':[{'name':'red_ball','position':[0,0,0.3]}]} | bad_field | objects[0].position
-            {'v':1,'type':'scene','added':[{'name':'cup','position':[0,1,0]}]} | bad_field      | added[0].words
+            {'v':1,'type':'scene','added':[{'name':'cup','position':[0,1,0]}]} | missing_field | added[0].words
             {'v':1,'type':'scene','added':[{'name':'red_ball','position':[0,1,0],'words':{}}]} | bad_field | added[0].name
             {'v':1,'type':'scene','removed':['blue_cylinder','red_ball','purple_marker','blue_ball','yellow_block','green_marker']} | bad_field | removed
             """)
@@ -202,21 +202,24 @@ class BridgeTest {
         try (RunningBridge bridge = RunningBridge.of(domain, new Confirm(), impatient, Recovery.none(domain, 1, 2), null)) {
             bridge.event("heartbeat");
             bridge.ask("{'v':1,'type':'begin','source':'robot'}");
+            bridge.ask("{'v':1,'type':'hello','source':'observer'}");
+            bridge.ask("{'v':1,'type':'speech','source':'mic','text':'red'}");
             JsonNode beat = bridge.event("heartbeat");
             assertTrue(beat.get("uptime").asDouble() > 0);
-            assertNotNull(beat.get("sources").get("robot").get("last_seen"));
+            assertNotNull(beat.get("sources").get("mic").get("last_seen"));
+            assertEquals(1, beat.get("sources").size(), "who sensed nothing is no source");
             assertTrue(beat.get("latency_ms").get("apply").get("p99").asDouble() > 0, beat.toString());
             assertEquals(0, beat.get("queues").get("stream").asInt());
-            assertEquals("silent robot", silence(bridge));
+            assertEquals("silent silent mic", silence(bridge));
             bridge.event("heartbeat");
             bridge.event("heartbeat");
-            bridge.ask("{'v':1,'type':'hello','source':'camera'}");
-            assertEquals("silent camera", silence(bridge), "the robot was reported once");
+            bridge.push("{'v':1,'type':'gesture','hand':[0,1,0],'shoulder':[0,0,0],'source':'camera'}");
+            assertEquals("silent silent camera", silence(bridge), "the microphone was reported once, the others never");
         }
     }
 
     private static String silence(RunningBridge bridge) {
         JsonNode e = bridge.event("error");
-        return e.get("type").asText() + " " + e.get("source").asText();
+        return e.get("type").asText() + " " + e.get("code").asText() + " " + e.get("source").asText();
     }
 }

@@ -17,42 +17,62 @@ final class Fuzzer {
     private static final List<String> NO_METRES = List.of("NaN", "1e308", "-1e308", "1e999", "Infinity", "\"1\"", "null", "[1]", "{}",
             "true", "1e400");
 
+    /** Unix seconds that are still to come; a message that claims them counts as sensed when it comes. */
+    private static final long FUTURE = 10_000_000_000L;
+
     private final SplittableRandom chance;
     private long ids;
 
     /**
      * A message.
      *
+     * @param id that it has and nobody else, null if it has none or that is not known
      * @param code that it must get, ok if it is good, null if that is not known
      */
-    record Case(byte[] bytes, String code) {}
+    record Case(byte[] bytes, String id, String code) {}
 
     Fuzzer(long seed) {
         chance = new SplittableRandom(seed);
     }
 
+    /** Any message, also one of which nobody knows what it is now; such a one has another source, whose ids may be any. */
     Case next() {
-        int kind = chance.nextInt(100);
+        return chance.nextInt(5) > 0 ? intact()
+                : new Case(mutated(bytes((chance.nextBoolean() ? sensed() : robot()).replace("\"fuzz\"", "\"wild\""))), null, null);
+    }
+
+    /** A message as it was made. */
+    Case intact() {
+        int kind = chance.nextInt(80);
         if (kind < 30) {
-            return new Case(bytes(sensed()), "ok");
+            return named(sensed(), "ok");
         } else if (kind < 40) {
-            return new Case(bytes(robot()), null);
-        } else if (kind < 60) {
+            return named(robot(), null);
+        } else if (kind < 44) {
+            return named(message("scene", "\"added\":[{\"name\":\"extra\",\"position\":" + point() + ",\"words\":{\"red\":1}}]"), null);
+        } else if (kind < 46) {
+            return named(message("scene", "\"removed\":[\"extra\"]"), null);
+        } else if (kind < 66) {
             return wrong();
-        } else if (kind < 80) {
-            return new Case(mutated(bytes(chance.nextBoolean() ? sensed() : robot())), null);
-        } else if (kind < 90) {
+        } else if (kind < 74) {
             byte[] noise = new byte[chance.nextInt(200)];
             chance.nextBytes(noise);
             noise = noise.length > 0 && noise[0] == '{' ? new byte[0] : noise;
-            return new Case(noise, "not_json");
+            return new Case(noise, null, "not_json");
         }
-        return new Case(bytes(nested()), null);
+        return new Case(bytes(nested()), null, null);
+    }
+
+    /** The message that was made last. */
+    private Case named(String message, String code) {
+        return new Case(bytes(message), "f" + (ids - 1), code);
     }
 
     /** Always good. */
     private String sensed() {
-        return switch (chance.nextInt(7)) {
+        return switch (chance.nextInt(9)) {
+            case 7 -> message("scene", "\"objects\":[{\"name\":\"" + one(OBJECTS) + "\",\"position\":" + point() + "}]");
+            case 8 -> message("speech", "\"text\":\"" + words() + "\",\"t\":" + (FUTURE + chance.nextInt(1_000_000)));
             case 0, 1, 2 -> message("speech", "\"text\":\"" + words() + "\"");
             case 3, 4 -> message("speech", "\"alternatives\":[{\"transcript\":\"" + words() + "\",\"confidence\":"
                     + chance.nextDouble() + "},{\"transcript\":\"" + words() + "\",\"confidence\":0.25}]");
@@ -72,20 +92,22 @@ final class Fuzzer {
     }
 
     private Case wrong() {
-        return switch (chance.nextInt(9)) {
+        return switch (chance.nextInt(11)) {
+            case 9 -> named(message("scene", "\"objects\":[{\"name\":\"unicorn\",\"position\":" + point() + "}]"), "unknown_object");
+            case 10 -> named(message("scene", "\"added\":[{\"name\":\"cup\",\"position\":" + point() + "}]"), "missing_field");
             case 0 ->
-                    new Case(bytes(message("gesture", "\"shoulder\":[0,1.4,0.3],\"hand\":[0,1," + one(NO_METRES) + "]")), "bad_field");
+                    new Case(bytes(message("gesture", "\"shoulder\":[0,1.4,0.3],\"hand\":[0,1," + one(NO_METRES) + "]")), null, "bad_field");
             case 1 ->
-                    new Case(bytes(message("acted", "\"act\":\"ASK\",\"objects\":[\"unicorn" + ids + "\"],\"status\":\"started\"")), "unknown_object");
-            case 2 -> new Case(bytes(message("acted", "\"act\":\"DANCE\",\"objects\":[],\"status\":\"started\"")), "illegal_act");
+                    named(message("acted", "\"act\":\"ASK\",\"objects\":[\"unicorn" + ids + "\"],\"status\":\"started\""), "unknown_object");
+            case 2 -> named(message("acted", "\"act\":\"DANCE\",\"objects\":[],\"status\":\"started\""), "illegal_act");
             case 3 ->
-                    new Case(bytes(message("gesture", "\"shoulder\":[0,1.4,0.3],\"hand\":[0,1,1],\"frame\":\"moon\"")), "unknown_frame");
-            case 4 -> new Case(bytes(message("sing", "\"text\":\"la\"")), "bad_type");
-            case 5 -> new Case(bytes(message("speech", "\"txt\":\"red\"")), "missing_field");
-            case 6 -> new Case(bytes(message("speech", "\"text\":\"red\",\"t\":" + chance.nextInt(1_000_000))), "stale");
-            case 7 -> new Case(bytes("{\"v\":" + (2 + chance.nextInt(9)) + ",\"type\":\"state\"}"), "bad_version");
+                    named(message("gesture", "\"shoulder\":[0,1.4,0.3],\"hand\":[0,1,1],\"frame\":\"moon\""), "unknown_frame");
+            case 4 -> named(message("sing", "\"text\":\"la\""), "bad_type");
+            case 5 -> named(message("speech", "\"txt\":\"red\""), "missing_field");
+            case 6 -> named(message("speech", "\"text\":\"red\",\"t\":" + chance.nextInt(1_000_000)), "stale");
+            case 7 -> new Case(bytes("{\"v\":" + (2 + chance.nextInt(9)) + ",\"type\":\"state\"}"), null, "bad_version");
             default ->
-                    new Case(("{\"v\":1,\"type\":\"speech\",\"text\":\"" + (char) 0xff + "\"}").getBytes(StandardCharsets.ISO_8859_1), "not_json");
+                    new Case(("{\"v\":1,\"type\":\"speech\",\"text\":\"" + (char) 0xff + "\"}").getBytes(StandardCharsets.ISO_8859_1), null, "not_json");
         };
     }
 

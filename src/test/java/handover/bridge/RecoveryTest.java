@@ -66,7 +66,7 @@ class RecoveryTest {
                     "progress", "handovers", "scene", "done")) {
                 assertEquals(before.get(same), after.get(same), same);
             }
-            JsonNode repeated = again.ask("{'v':1,'type':'speech','text':'red','id':'0-1','source':'mic'}");
+            JsonNode repeated = again.ask("{'v':1,'type':'speech','text':'red','id':'known','source':'mic'}");
             assertEquals(before.get("belief_version"), repeated.get("belief"), "this id was applied before the crash");
             again.ask("{'v':1,'type':'begin','id':'after the crash'}");
         }
@@ -101,7 +101,29 @@ class RecoveryTest {
         }
         bridge.ask("{'v':1,'type':'begin'}");
         bridge.ask("{'v':1,'type':'acted','act':'PICK','objects':['red_ball'],'status':'completed','pick':'moving'}");
-        bridge.ask("{'v':1,'type':'speech','text':'red','id':'0-1','source':'mic'}");
+        bridge.ask("{'v':1,'type':'speech','text':'red','id':'known','source':'mic'}");
+    }
+
+    /** Also when the next episode has begun before the client asks again. */
+    @Test
+    void aSummaryThatGotLostIsGivenAfterARestart() throws IOException {
+        Path log = folder.resolve("log.jsonl");
+        String end = "{'v':1,'type':'end','id':'e','source':'robot'}";
+        JsonNode summary;
+        try (SessionLogWriter writer = create(log); RunningBridge bridge = bridge(Recovery.none(DOMAIN, 1, 2), writer)) {
+            bridge.ask("{'v':1,'type':'begin'}");
+            bridge.ask("{'v':1,'type':'acted','act':'PICK','objects':['red_ball'],'status':'completed','pick':'accepted'}");
+            summary = bridge.ask(end);
+            assertEquals("summary 1", summary.get("type").asText() + " " + summary.get("handovers"));
+            bridge.ask("{'v':1,'type':'begin'}");
+        }
+        Recovery recovery = read(log);
+        try (SessionLogWriter writer = SessionLogWriter.append(log, recovery.end()); RunningBridge again = bridge(recovery, writer)) {
+            assertEquals(summary, again.ask(end));
+            JsonNode other = again.ask(end.replace("end", "begin"));
+            assertEquals("bad_field id", other.path("code").asText() + " " + other.path("path").asText(), other.toString());
+            assertEquals(4, again.ask("{'v':1,'type':'state'}").get("belief_version").asInt());
+        }
     }
 
     @Test

@@ -12,6 +12,8 @@ import handover.domain.HandoverDomain;
 import handover.io.DomainFiles;
 import handover.solver.Confirm;
 import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
@@ -106,6 +108,28 @@ class SecurityTest {
         assertTrue(e.getMessage().startsWith("--command: " + address + " can be reached from other machines"), e.getMessage());
         try (Bridge bridge = new Bridge(DOMAIN, new Confirm(), settings("tcp://0.0.0.0:*", new Security(null, Set.of(), true)))) {
             assertTrue(bridge.welcome().sockets().get("command").startsWith("tcp://0.0.0.0:"));
+        }
+    }
+
+    @Test
+    void theOtherInternetProtocol() throws InterruptedException {
+        try (ServerSocket probe = new ServerSocket()) {
+            probe.bind(new InetSocketAddress("::1", 0));
+        } catch (IOException e) {
+            assumeTrue(false, "this machine has no IPv6: " + e.getMessage());
+        }
+        try (Bridge bridge = new Bridge(DOMAIN, new Confirm(), settings("tcp://[::1]:*", Security.LOOPBACK)); ZContext context = new ZContext()) {
+            String address = bridge.welcome().sockets().get("command");
+            Thread serving = new Thread(() -> bridge.run(Recovery.none(DOMAIN, 1, 2), null));
+            serving.start();
+            ZMQ.Socket client = context.createSocket(SocketType.REQ);
+            client.setIPv6(true);
+            client.setLinger(0);
+            client.setReceiveTimeOut(20_000);
+            client.connect("tcp://[::1]" + address.substring(address.lastIndexOf(':')));
+            client.send("{\"v\":1,\"type\":\"hello\"}");
+            assertEquals("welcome", RunningBridge.json(client.recv()).get("type").asText(), address);
+            assertTrue(bridge.stop(20_000));
         }
     }
 

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import handover.domain.DomainSpec;
 import handover.domain.Frame;
 import handover.domain.HandoverDomain;
+import handover.domain.Scene;
 import handover.domain.TableObject;
 import handover.io.DomainFiles;
 import handover.io.Messages;
@@ -27,10 +28,17 @@ class SessionTest {
                     new Vector3(0.15, 1.4, 0.35))));
     private static final HandoverDomain DOMAIN = DomainFiles.domain(SPEC);
 
+    private static final String ASK = "{'v':1,'type':'acted','act':'ASK','objects':['%s'],'status':'started'}";
+
     private final Session session = Session.of(DOMAIN, 1, 2);
 
     private Session.Outcome at(double arrival, String json) {
         return session.apply(Messages.decode(json.replace('\'', '"').getBytes(StandardCharsets.UTF_8)), arrival,
+                Session.Journal.NONE);
+    }
+
+    private void waited(double received, double applied, String json) {
+        session.apply(Messages.decode(json.replace('\'', '"').getBytes(StandardCharsets.UTF_8)), received, applied,
                 Session.Journal.NONE);
     }
 
@@ -57,6 +65,36 @@ class SessionTest {
         assertTrue(red() > yes, "the no was to the blue ball: " + red());
         assertEquals(WireCode.STALE, refused(104, "{'v':1,'type':'speech','text':'no','t':101.9}"), "older than 2 s");
         assertEquals(WireCode.STALE, refused(104, "{'v':1,'type':'gesture','hand':[0,1,1],'shoulder':[0,0,1],'t':0}"));
+        assertEquals(5, session.now().version());
+    }
+
+    /** What waits for its turn is as old as it was when it came, and is weighed where it was said. */
+    @Test
+    void whatHadToWaitIsWeighedWhereItCame() {
+        at(100, "{'v':1,'type':'begin'}");
+        at(101, ASK.formatted("red_ball"));
+        at(103, ASK.formatted("blue_ball"));
+        waited(102.9, 104.5, "{'v':1,'type':'speech','text':'yes'}");
+        assertTrue(red() > 0.9, "the yes was to the red ball: " + red());
+        double yes = red();
+        waited(103.1, 109, "{'v':1,'type':'speech','text':'blue','t':102.5}");
+        assertTrue(red() < yes, "it was 0.6 s old when it came: " + red());
+        at(109.1, ASK.formatted("green_marker"));
+        assertThrows(WireException.class, () -> waited(103.2, 109.2, "{'v':1,'type':'speech','text':'yes','t':102}"),
+                "that step is forgotten");
+        double no = red();
+        waited(109.05, 109.3, "{'v':1,'type':'speech','text':'no'}");
+        assertTrue(red() > no, "to the blue ball, the step of which is remembered: " + red());
+    }
+
+    @Test
+    void theClockMayBeSetBackWhileSomethingWaits() {
+        at(5000, "{'v':1,'type':'begin'}");
+        at(5001, ASK.formatted("red_ball"));
+        waited(5002, 1002, "{'v':1,'type':'speech','text':'yes'}");
+        assertTrue(red() > 0.9);
+        at(1003, ASK.formatted("blue_ball"));
+        at(1004, "{'v':1,'type':'speech','text':'no','t':1003.5}");
         assertEquals(5, session.now().version());
     }
 
@@ -136,6 +174,21 @@ class SessionTest {
     }
 
     @Test
+    void anIdIsForOneMessage() {
+        at(100, "{'v':1,'type':'begin','id':'0'}");
+        at(100, "{'v':1,'type':'speech','text':'red','id':'1'}");
+        assertFalse(at(100, "{'v':1,'type':'speech','text':'red','id':'1','t':99.9}").applied(), "the same, sent again");
+        assertFalse(at(100, "{'v':1,'type':'speech','text':'re','id':'1','final':false}").applied());
+        for (String other : List.of("'speech','text':'blue'", "'gesture','hand':[0,0.5,0.1],'shoulder':[0,1,0]", "'end'",
+                "'acted','act':'WAIT','status':'started'", "'scene','removed':['red_ball']", "'begin'")) {
+            assertEquals(WireCode.BAD_FIELD, refused(100, "{'v':1,'id':'1','type':" + other + "}"), other);
+        }
+        assertEquals(WireCode.BAD_FIELD, refused(100, "{'v':1,'type':'begin','seed':5,'id':'0'}"));
+        assertFalse(at(100, "{'v':1,'type':'begin','id':'0'}").applied());
+        assertTrue(at(100, "{'v':1,'type':'speech','text':'blue','id':'1','source':'a'}").applied());
+    }
+
+    @Test
     void handedOverObjectsAreBackInTheNextEpisode() {
         at(100, "{'v':1,'type':'begin'}");
         at(101, "{'v':1,'type':'acted','act':'PICK','objects':['red_ball'],'status':'completed','pick':'accepted'}");
@@ -146,6 +199,40 @@ class SessionTest {
         List<TableObject> objects = session.now().belief().scene().objects();
         assertEquals(new Vector3(0, 0.5, 0), objects.get(1).position());
         assertEquals(6, objects.size());
+    }
+
+    /** A tracker that still sees it in somebody's hand only moves it; who adds it says that it is on the table. */
+    @Test
+    void whatWasHandedOverComesBackWhenItIsAdded() {
+        HandoverDomain two = DomainFiles.domain(DomainFiles.read("table-line-6").with(s -> s.handovers = 2));
+        String ball = "{'name':'red_ball','position':[0,0.5,0],'words':{'red':1}}";
+        for (String how : List.of("'added':[" + ball + "]", "'removed':['red_ball'],'added':[" + ball + "]")) {
+            Session played = Session.of(two, 1, 2);
+            String[] messages = {"{'v':1,'type':'begin'}",
+                "{'v':1,'type':'acted','act':'PICK','objects':['red_ball'],'status':'completed','pick':'accepted'}",
+                "{'v':1,'type':'scene','objects':[{'name':'red_ball','position':[0,0.4,0]}]}", "{'v':1,'type':'scene'," + how + "}"};
+            int[] sizes = {6, 5, 5, 6};
+            for (int k = 0; k < messages.length; k++) {
+                played.apply(Messages.decode(messages[k].replace('\'', '"').getBytes(StandardCharsets.UTF_8)), 100 + k, Session.Journal.NONE);
+                assertEquals(sizes[k], played.now().belief().scene().size(), messages[k]);
+            }
+            Scene there = played.now().belief().scene();
+            assertEquals(new Vector3(0, 0.5, 0), there.objects().get(there.indexOf("red_ball")).position());
+            assertEquals(there.objects(), played.table().objects());
+            assertEquals(1.0 / 6, played.now().belief().probabilities()[there.indexOf("red_ball")], 1e-12);
+            assertEquals(WireCode.BAD_FIELD, assertThrows(WireException.class, () -> played.apply(Messages.decode(
+                    messages[3].replace("'removed':['red_ball'],", "").replace('\'', '"').getBytes(StandardCharsets.UTF_8)), 110,
+                    Session.Journal.NONE)).code(), "it is there already");
+        }
+    }
+
+    @Test
+    void whatMovesTheBeliefIsNotUninformative() {
+        at(100, "{'v':1,'type':'begin'}");
+        assertTrue(at(100, "{'v':1,'type':'speech','text':'yes'}").remarks().uninformative(), "nothing was asked");
+        double before = red();
+        assertFalse(at(101, "{'v':1,'type':'speech','text':'no, the red ball'}").remarks().uninformative());
+        assertTrue(red() > before + 0.1);
     }
 
     @Test

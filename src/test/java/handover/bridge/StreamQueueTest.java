@@ -24,6 +24,10 @@ class StreamQueueTest {
         return Messages.decode(json.getBytes(StandardCharsets.UTF_8));
     }
 
+    private static Inbox.Received received(byte[] body, long number) {
+        return new Inbox.Received(body, number, 0);
+    }
+
     private record Sent(int number, WireMessage message) {}
 
     /** Against the slow way: one list, searched from its beginning for what may give way. */
@@ -36,12 +40,12 @@ class StreamQueueTest {
         for (byte b : script) {
             if (b % 5 == 0) {
                 StreamQueue.Waiting got = queue.poll();
-                assertEquals(list.isEmpty() ? -1 : list.remove(0).number, got == null ? -1 : got.nanos());
+                assertEquals(list.isEmpty() ? -1 : list.remove(0).number, got == null ? -1 : got.received().nanos());
                 continue;
             }
             WireMessage message = List.of(FINAL, UNFINAL, GESTURE, BEGIN).get(Math.floorMod(b, 4));
             boolean loseable = message == UNFINAL || message == GESTURE;
-            boolean accepted = queue.add(message, new byte[1], number);
+            boolean accepted = queue.add(message, received(new byte[1], number));
             int victim = -1;
             for (int k = 0; k < list.size() && victim < 0; k++) {
                 victim = list.get(k).message == UNFINAL || list.get(k).message == GESTURE ? k : -1;
@@ -68,13 +72,13 @@ class StreamQueueTest {
         StreamQueue queue = new StreamQueue(1000);
         byte[] large = new byte[1 << 20];
         for (int k = 0; k < 64; k++) {
-            assertTrue(queue.add(FINAL, large, k));
+            assertTrue(queue.add(FINAL, received(large, k)));
         }
-        assertFalse(queue.add(FINAL, large, 64));
+        assertFalse(queue.add(FINAL, received(large, 64)));
         assertEquals(64, queue.size());
         queue.poll();
-        assertTrue(queue.add(GESTURE, large, 65));
-        assertTrue(queue.add(BEGIN, new byte[10], 66));
+        assertTrue(queue.add(GESTURE, received(large, 65)));
+        assertTrue(queue.add(BEGIN, received(new byte[10], 66)));
         assertEquals(1, queue.shed());
     }
 }

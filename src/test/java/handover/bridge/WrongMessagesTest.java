@@ -60,6 +60,13 @@ class WrongMessagesTest {
         text(bad, "bad_type", "{'v':1,'type':'sing'}");
         text(bad, "missing_field", "{'v':1}");
         text(bad, "missing_field", "{'v':1,'type':'speech'}");
+        text(bad, "missing_field", "{'v':1,'type':'scene','added':[{'name':'a'}]}");
+        text(bad, "missing_field", "{'v':1,'type':'gesture','joints':{'left_wrist':[0,1,1],'left_shoulder':null}}");
+        text(bad, "bad_field", "{'v':1,'type':'scene','added':[{'name':'a','position':[0,0,0],'words':{'red':1},'colour':'red'}]}");
+        text(bad, "bad_field", "{'v':1,'type':'speech','text':'" + "red ".repeat(501) + "'}");
+        text(bad, "bad_field", "{'v':1,'type':'speech','alternatives':[{'transcript':'" + "red ".repeat(501) + "','confidence':1}]}");
+        text(bad, "bad_field", "{'v':1,'type':'speech','alternatives':["
+                + "{'transcript':'red','confidence':0.5},".repeat(100) + "{'transcript':'red','confidence':0.5}]}");
         text(bad, "bad_field", "{'v':1,'type':'gesture','hand':[0,NaN,1],'shoulder':[0,0,1]}");
         text(bad, "bad_field", "{'v':1,'type':'gesture','hand':[0,1e308,1],'shoulder':[0,0,1]}");
         text(bad, "bad_field", "{'v':1,'type':'gesture','hand':[0,1e999,1],'shoulder':[0,0,1]}");

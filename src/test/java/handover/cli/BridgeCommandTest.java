@@ -45,6 +45,7 @@ class BridgeCommandTest {
             bridge table-line-6 --deadline-ms x                       | --deadline-ms: expected a whole number, got "x"
             bridge table-line-6 --subscribe tcp://127.0.0.1:5800      | --subscribe: expected an adapter
             bridge table-line-6 --resume nolog                        | nolog: there is no such file
+            bridge --resume nolog --log pom.xml                       | --log and --resume: expected one of them
             bridge table-line-6 --log pom.xml                         | pom.xml: there is such a file already
             bridge keygen /no/such/folder/key                         | /no/such/folder/key
             """)
@@ -85,6 +86,10 @@ class BridgeCommandTest {
             JsonNode ready = ready(second);
             assertEquals(1, ready.get("belief_version").asInt());
             assertEquals(log.toString(), ready.get("log").asText());
+            Output busy = Output.of("bridge", "--resume", log.toString(), "--command", "tcp://127.0.0.1:*", "--stream",
+                    "tcp://127.0.0.1:*", "--events", "tcp://127.0.0.1:*");
+            assertEquals("handover: " + log + ": another bridge writes to this log\n", busy.err().substring(busy.err().indexOf('\n') + 1));
+            assertEquals(Main.BAD_INPUT, busy.code());
             second.destroy();
             assertTrue(second.waitFor(1, TimeUnit.MINUTES), "it stops");
             assertEquals(SIGTERM, second.exitValue());

@@ -3,8 +3,14 @@ package handover.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
+import java.io.InputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -30,6 +36,33 @@ class SolveTest {
         String[] one = {"solve", TIGER, "--solver", "qmdp", "--episodes", "40", "--threads", "1"};
         String[] four = {"solve", TIGER, "--solver", "qmdp", "--episodes", "40", "--threads", "4"};
         assertEquals(earned(Output.of(one)), earned(Output.of(four)));
+    }
+
+    /** Whoever stops the third solver, or sees it fail, has what the others earned. */
+    @Test
+    void eachRowIsPrintedWhenItIsKnown(@TempDir Path folder) throws Exception {
+        Path file = Files.writeString(folder.resolve("far.POMDP"), Files.readString(Path.of(TIGER)).replaceAll("discount:.*", "discount: 1"));
+        Output o = Output.of("solve", file.toString(), "--solver", "random", "--solver", "qmdp", "--episodes", "5", "--max-steps", "9");
+        assertEquals(Main.BAD_INPUT, o.code());
+        assertTrue(o.err().startsWith("handover: --solver: qmdp: this solver needs a discount below 1"), o.err());
+        List<String> lines = o.lines();
+        assertTrue(lines.get(lines.size() - 1).startsWith("random "), o.out());
+        assertTrue(lines.get(lines.size() - 2).startsWith("solver "), o.out());
+    }
+
+    @Test
+    void aTerminalShowsWhoIsSolvingAndNoRowIsWrittenOverIt() {
+        ByteArrayOutputStream both = new ByteArrayOutputStream();
+        PrintStream shown = new PrintStream(both, true, StandardCharsets.UTF_8);
+        AtomicLong clock = new AtomicLong();
+        Main.run(new String[] {"solve", TIGER, "--solver", "qmdp", "--solver", "random", "--episodes", "200", "--threads", "1"},
+                new Console(InputStream.nullInputStream(), shown, shown, true, () -> clock.addAndGet(1_000_000)));
+        String text = both.toString(StandardCharsets.UTF_8);
+        assertTrue(text.indexOf("\rqmdp is solving the model") < text.indexOf("\rqmdp  "), text);
+        assertTrue(text.indexOf("\rqmdp  ") < text.indexOf("\rrandom is solving the model"), text);
+        List<String> rows = text.lines().filter(l -> l.matches("(solver|qmdp|random)  .*")).toList();
+        assertEquals(3, rows.size(), text);
+        assertEquals(1, rows.stream().mapToInt(String::length).distinct().count(), text);
     }
 
     private static String earned(Output o) {

@@ -38,7 +38,7 @@ final class BadDomains {
 
     private static List<Bad> notJson() {
         return List.of(
-                hidden("", "the file is empty"),
+                hidden("", "expected a JSON value, got nothing"),
                 hidden("{'name': 'x',\n 'objects': [{'name': 'cup', 'posi",
                         "line 2, column 35: the file ends here, but not everything that was opened is closed"),
                 hidden("{'name': 'x',\n 'objects': [{'name': 'cup'",
