@@ -120,7 +120,7 @@ final class Plan implements Callable<Integer> {
         text.append(model == null || model.say().isEmpty() ? "" : ", saying \"" + model.say() + "\"").append('\n');
         text.append(number("looked %d acts ahead at %d beliefs in %.1f ms, ", decision.depth(), decision.nodes(), milliseconds))
                 .append(decision.finished() ? "finished" : "stopped by the deadline").append('\n')
-                .append(decision.bounds() == null ? "" : number("the value lies between %.2f and %.2f%n",
+                .append(decision.bounds() == null ? "" : number("the value lies between about %.2f and %.2f%n",
                         decision.bounds().lower(), decision.bounds().upper()))
                 .append(decision.note().isEmpty() ? "" : decision.note() + "\n");
         List<Map.Entry<Act, Double>> values = decision.values().entrySet().stream()

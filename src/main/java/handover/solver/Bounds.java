@@ -3,7 +3,7 @@ package handover.solver;
 /**
  * Between what the value of a belief lies (expected discounted reward). Immutable.
  *
- * @param lower not more than what is earned by a policy that is known
+ * @param lower not more than what is earned by a policy that is known; on handover domains the match part of that is approximate
  * @param upper not less than what any policy can earn
  */
 public record Bounds(double lower, double upper) {

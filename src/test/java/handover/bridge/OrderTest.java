@@ -53,6 +53,10 @@ class OrderTest {
             assertTrue(version < BACKLOG, "a command does not wait for what was sensed: " + version);
             bridge.ask(ASK.formatted("blue_ball", "started"));
             after = bridge.stateAfter(BACKLOG + 1);
+            for (int k = 0; k < 1000 && after.get("belief_version").asInt() < BACKLOG + 5; k++) {
+                Thread.sleep(20); // acts count, too
+                after = bridge.ask("{'v':1,'type':'state'}");
+            }
             assertEquals(BACKLOG + 5, after.get("belief_version").asInt());
             assertTrue(after.get("belief").get("red_ball").asDouble() > 0.9, after.toString());
         }

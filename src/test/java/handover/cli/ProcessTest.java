@@ -1,8 +1,12 @@
 package handover.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import handover.domain.Act;
+import handover.domain.HandoverDomain;
+import handover.io.DomainFiles;
 import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -11,6 +15,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -21,6 +27,8 @@ class ProcessTest {
 
     @TempDir
     Path folder;
+
+    private List<String> javaOptions = List.of();
 
     @Test
     void simulatesWithoutAnyArgument() throws Exception {
@@ -33,6 +41,23 @@ class ProcessTest {
         assertEquals(2501, Files.readAllLines(folder.resolve("episodes.jsonl")).size());
     }
 
+    /** A legal act for a table of a hundred objects, with the memory of a small computer. */
+    @Test
+    void decidesAmongAHundredObjects() throws Exception {
+        javaOptions = List.of("-Xmx512m");
+        assertEquals(Main.FINE, start("plan", "--domain", "generated-100", "--solver", "anytime", "--deadline-ms", "250", "--json"), err());
+        Act act = decided(out());
+        HandoverDomain domain = DomainFiles.load("generated-100");
+        assertNotNull(domain.start().model(act), out());
+        assertTrue(Pattern.compile("\"depth\":[1-9]").matcher(out()).find(), out());
+    }
+
+    private static Act decided(String json) {
+        Matcher m = Pattern.compile("\"act\":\"(\\w+)\",\"objects\":\\[(.*?)\\]").matcher(json);
+        assertTrue(m.find(), json);
+        return m.group(2).isEmpty() ? Act.of(m.group(1)) : Act.of(m.group(1), m.group(2).replace("\"", "").split(","));
+    }
+
     @Test
     void exitCodesComeThrough() throws Exception {
         assertEquals(Main.BAD_INPUT, start("check", "nothing"));
@@ -41,8 +66,9 @@ class ProcessTest {
     }
 
     private int start(String... args) throws IOException, InterruptedException {
-        List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-cp", classPath(), "handover.cli.Main"));
+        List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
+        command.addAll(javaOptions);
+        command.addAll(List.of("-cp", classPath(), "handover.cli.Main"));
         command.addAll(List.of(args));
         Process process = new ProcessBuilder(command).directory(folder.toFile())
                 .redirectOutput(folder.resolve("out").toFile()).redirectError(folder.resolve("err").toFile()).start();
