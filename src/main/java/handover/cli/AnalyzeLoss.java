@@ -65,7 +65,7 @@ final class AnalyzeLoss implements Callable<Integer> {
         UsageException.checkAtLeast("--beliefs", beliefs, 2);
         UsageException.checkAtLeast("--runs", runs, 1);
         HandoverDomain on = DomainFiles.load(domain);
-        if (!(warmUp >= 0)) {
+        if (!(warmUp >= 0 && warmUp < Double.POSITIVE_INFINITY)) {
             throw new UsageException("--warm-up: expected seconds of at least 0, got " + warmUp);
         }
         List<Contender> chosen = Contender.parse("--solver", solvers);

@@ -38,6 +38,7 @@ class AnalyzeLossTest {
     @Test
     void whatCannotBeMeantIsSaid() {
         assertTrue(Output.of("analyze", "loss", "--warm-up", "-1").err().contains("--warm-up: expected seconds of at least 0, got -1"));
+        assertTrue(Output.of("analyze", "loss", "--warm-up", "Infinity").err().contains("--warm-up: expected seconds of at least 0, got Inf"));
         assertTrue(Output.of("analyze", "loss", "--beliefs", "1").err().contains("--beliefs: expected a whole number of at least 2"));
         Output run = Output.of("analyze", "loss", "--beliefs", "2", "--reference", "confirm");
         assertEquals(2, run.code());
