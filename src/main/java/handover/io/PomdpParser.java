@@ -193,7 +193,9 @@ final class PomdpParser {
         prepare();
         probabilities(at, TabularBuilder.Kind.TRANSITION, states, (a, s, next, p) -> {
             to.transition(a, s, next, p);
-            resets.computeIfPresent(new ResetRow(a, s), (row, set) -> with(set, next));
+            if (!resets.isEmpty()) {
+                resets.computeIfPresent(new ResetRow(a, s), (row, set) -> with(set, next));
+            }
         });
     }
 
